@@ -1,0 +1,1 @@
+"""The road network as plain arrays, and searching it."""

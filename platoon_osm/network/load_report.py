@@ -1,0 +1,65 @@
+"""What a loader kept, dropped, capped and defaulted, so that nothing is guessed in silence."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+__all__ = ["LoadReport", "Source"]
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where a network came from.
+
+    Attributes
+    ----------
+    name : file name, or what made the network.
+    sha256 : hex digest of the file's bytes; empty for a network made in memory.
+    extracted : when the data was cut from the map, ISO 8601, as the file says; else empty.
+    licence, attribution : to be shown with everything made from the data.
+    """
+
+    name: str = "in memory"
+    sha256: str = ""
+    extracted: str = ""
+    licence: str = ""
+    attribution: str = ""
+
+    def to_dict(self) -> dict[str, str]:
+        """Plain JSON form."""
+        return {name: getattr(self, name) for name in self.__slots__}
+
+
+@dataclass(frozen=True, slots=True)
+class LoadReport:
+    """Counts of a load, in the order they were made, and remarks for the user.
+
+    Attributes
+    ----------
+    counts : name of a count -> number.
+    remarks : one sentence each; what a user should know before trusting the network.
+    """
+
+    counts: Mapping[str, int] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
+
+    def __getitem__(self, name: str) -> int:
+        return self.counts.get(name, 0)
+
+    def __str__(self) -> str:
+        width = max((len(f"{number:,}") for number in self.counts.values()), default=1)
+        lines = [f"{number:>{width},}  {name}" for name, number in self.counts.items()]
+        return "\n".join([*lines, *(f"note: {remark}" for remark in self.remarks)])
+
+    def extended(self, counts: Mapping[str, int], *remarks: str) -> LoadReport:
+        """Return a report with more counts (same names add up) and remarks."""
+        merged = dict(self.counts)
+        for name, number in counts.items():
+            merged[name] = merged.get(name, 0) + int(number)
+        return LoadReport(merged, self.remarks + remarks)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON form."""
+        return {"counts": dict(self.counts), "remarks": list(self.remarks)}

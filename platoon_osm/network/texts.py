@@ -1,0 +1,77 @@
+"""Names kept once, as UTF-8 bytes with offsets: a saved network opens without reading them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import SupportsIndex, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["TextTable", "encode_texts"]
+
+
+class TextTable(Sequence[str]):
+    """An immutable list of strings; entry 0 is always the empty string.
+
+    Parameters
+    ----------
+    offsets : (k + 1,) int64
+        Where each string starts in `blob`.
+    blob : (bytes,) uint8
+        All strings in UTF-8, end to end.
+    """
+
+    __slots__ = ("blob", "offsets")
+
+    def __init__(self, offsets: NDArray[np.int64], blob: NDArray[np.uint8]) -> None:
+        self.offsets = offsets
+        self.blob = blob
+
+    @classmethod
+    def from_strings(cls, strings: Iterable[str]) -> TextTable:
+        """Build a table from strings, in their order."""
+        # A lone surrogate (broken input) must not stop a load: it becomes a question mark.
+        encoded = [text.encode("utf-8", "replace") for text in strings]
+        offsets = np.zeros(len(encoded) + 1, np.int64)
+        np.cumsum([len(part) for part in encoded], out=offsets[1:])
+        return cls(offsets, np.frombuffer(b"".join(encoded), np.uint8))
+
+    def __len__(self) -> int:
+        return len(self.offsets) - 1
+
+    @overload
+    def __getitem__(self, code: SupportsIndex) -> str: ...
+
+    @overload
+    def __getitem__(self, code: slice) -> list[str]: ...
+
+    def __getitem__(self, code: SupportsIndex | slice) -> str | list[str]:
+        if isinstance(code, slice):
+            return [self[i] for i in range(*code.indices(len(self)))]
+        code = code.__index__()
+        if not -len(self) <= code < len(self):
+            raise IndexError(code)
+        code %= len(self)
+        start, stop = self.offsets[code], self.offsets[code + 1]
+        text: str = self.blob[start:stop].tobytes().decode("utf-8", "replace")
+        return text
+
+    def __iter__(self) -> Iterator[str]:
+        return (self[code] for code in range(len(self)))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TextTable) and list(self) == list(other)
+
+    def __hash__(self) -> int:
+        return hash(self.blob.tobytes())
+
+
+def encode_texts(*columns: Sequence[str]) -> tuple[TextTable, list[NDArray[np.int32]]]:
+    """Give each distinct string one code, shared by all columns; the empty string is code 0."""
+    codes: dict[str, int] = {"": 0}
+    encoded = [
+        np.fromiter((codes.setdefault(text, len(codes)) for text in column), np.int32, len(column))
+        for column in columns
+    ]
+    return TextTable.from_strings(codes), encoded
