@@ -1,0 +1,126 @@
+"""One door for all networks: a bundled map's name, a file of any supported kind, an OSMnx graph."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ..errors import MapDataError
+from ..network.load_report import Source
+from ..network.road_network import RoadNetwork
+from ..network.store import MAGIC, open_network
+from .catalog import BUNDLED_MAPS, bundled_path
+from .osm import MOTORWAY_CLASSES, read_osm
+from .truck import TruckRules
+
+__all__ = ["load_network"]
+
+MOSTLY_CONNECTED = 0.5
+
+
+def load_network(
+    source: Any,
+    classes: Sequence[str] = MOTORWAY_CLASSES,
+    *,
+    country: str | None = None,
+    limiter_kmh: float = 90.0,
+    infer_links: bool = False,
+) -> RoadNetwork:
+    """Load a road network for trucks.
+
+    Parameters
+    ----------
+    source : one of
+        the name of a bundled map ("italy-motorways");
+        a path to an OSM extract (.osm.pbf, .osm, .osm.gz, .osm.bz2);
+        a path to GraphML or GeoPackage saved by OSMnx, or to an Overpass answer it cached (.json);
+        a path to a network saved by `save` or `platoon-osm prepare` (.platoon);
+        a live OSMnx `MultiDiGraph`.
+    classes : values of `highway` to load; a saved network is opened as it is.
+    country : ISO code whose speed limit for trucks applies ("IT", "DE", "US-CA").
+    limiter_kmh : what the trucks' speed limiter allows.
+    infer_links : add likely connectors where carriageways meet without a common node, as in
+        extracts cut to `highway=motorway`; they are marked `inferred`.
+
+    Raises
+    ------
+    MapDataError
+        The file is missing, unreadable, or holds no such road.
+    ScenarioError
+        The country is unknown or the limiter out of range.
+    """
+    net = _read(source, tuple(classes), country, limiter_kmh)
+    if infer_links and not net.inferred.any():
+        from ..network.inferred_links import infer_links as add_links
+
+        net = add_links(net)
+    return _with_connection_remark(net)
+
+
+def _read(
+    source: Any, classes: tuple[str, ...], country: str | None, limiter_kmh: float
+) -> RoadNetwork:
+    if isinstance(source, RoadNetwork):
+        return source
+    rules = TruckRules(country, limiter_kmh)
+    if not isinstance(source, str | os.PathLike):
+        from .osmnx_graph import network_from_osmnx
+
+        return network_from_osmnx(source, classes, rules)
+    if isinstance(source, str) and (found := bundled_path(source)):
+        bundled, path = found
+        own_rules = TruckRules(country or bundled.country, limiter_kmh)
+        net = read_osm(path, classes, own_rules)
+        return replace(
+            net,
+            source=Source(
+                bundled.name, net.source.sha256, net.source.extracted,
+                bundled.licence, bundled.attribution,
+            ),
+        )  # fmt: skip
+    path = Path(source)
+    if not path.is_file():
+        names = ", ".join(item.name for item in BUNDLED_MAPS)
+        raise MapDataError(f"{path}: no such file, and no bundled map of that name ({names})")
+    return _read_file(path, classes, rules)
+
+
+def _read_file(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadNetwork:
+    with path.open("rb") as handle:
+        if handle.read(len(MAGIC)) == MAGIC:
+            return open_network(path)
+    suffix = path.suffix.lower()
+    if suffix in {".graphml", ".gpkg", ".json"}:
+        from . import osmnx_graph
+
+        reader = {
+            ".graphml": osmnx_graph.read_graphml,
+            ".gpkg": osmnx_graph.read_geopackage,
+            ".json": osmnx_graph.read_overpass_cache,
+        }[suffix]
+        return reader(path, classes, rules)
+    if suffix == ".platoon":
+        return open_network(path)
+    return read_osm(path, classes, rules)
+
+
+def _with_connection_remark(net: RoadNetwork) -> RoadNetwork:
+    """Say how much of the network hangs together, if that is less than a user would expect."""
+    main = net.strong_component() == 0
+    inside = net.length_m[main[net.tail] & main[net.head]].sum() / max(net.length_m.sum(), 1e-9)
+    if inside >= MOSTLY_CONNECTED or net.inferred.any():
+        return net
+    ends = int((net.first_out[1:] == net.first_out[:-1]).sum())
+    remark = (
+        f"only {inside:.0%} of the carriageway-km hang together; {ends} carriageways end without "
+        "going on: the extract seems cut to motorways without their ramps. Load one with "
+        "motorway_link, or add likely connectors with infer_links=True (--infer-links)"
+    )
+    if remark in net.load_report.remarks:
+        return net
+    return net.with_report(
+        net.load_report.extended({"carriageways that end without going on": ends}, remark)
+    )

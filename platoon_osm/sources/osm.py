@@ -1,0 +1,236 @@
+"""From the ways of an OSM file to a contracted road network for trucks."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MapDataError, NetworkError
+from ..network.load_report import LoadReport
+from ..network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
+from ..network.simplify import merge_chains
+from ..network.texts import encode_texts
+from .raw_osm import RawMap, TagReader, read_raw
+from .truck import BACKWARD, FORWARD, TruckRules, WayReading, is_driving_tag, read_way
+
+__all__ = ["MOTORWAY_CLASSES", "read_osm"]
+
+MOTORWAY_CLASSES = ("motorway", "motorway_link")
+NAME_TAGS = frozenset({"ref", "name", "destination"})
+PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population"})
+NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, ())
+
+
+def read_osm(
+    path: str | os.PathLike[str],
+    classes: Sequence[str] = MOTORWAY_CLASSES,
+    rules: TruckRules | None = None,
+) -> RoadNetwork:
+    """Read an OSM extract (.osm.pbf, .osm, .osm.gz, .osm.bz2) into a contracted network.
+
+    Parameters
+    ----------
+    classes : values of the `highway` tag to load.
+    rules : how to read tags for a truck.
+
+    Raises
+    ------
+    MapDataError
+        Unreadable file, or no road of these classes in it.
+    """
+    file = Path(path)
+    raw = read_raw(file, classes)
+    ways = _interpret(raw, set(classes), rules or TruckRules())
+    if not ways.kept.any():
+        found = "its ways are closed to trucks" if ways.matching else "it has no such way"
+        raise MapDataError(
+            f"{file}: no road of class {', '.join(classes)} for trucks ({found}); "
+            "load other classes or another area"
+        )
+    net = _network(file, raw, ways)
+    count = net.load_report.counts
+    if not net.m:
+        raise MapDataError(
+            f"{file}: none of {count['ways kept']} ways has two nodes with coordinates; extract "
+            "the area again with complete ways"
+        )
+    return net
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Ways:
+    """What the tags of each way mean, (w,) each."""
+
+    kept: NDArray[np.bool_]
+    direction: NDArray[np.int8]
+    speed_mps: NDArray[np.float64]
+    road_class: NDArray[np.uint8]
+    toll: NDArray[np.bool_]
+    ref: tuple[str, ...]
+    name: tuple[str, ...]
+    matching: int
+    counts: dict[str, int]
+
+
+def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
+    """Read each distinct set of tags once, and count what had to be assumed by ways."""
+    read_tags = TagReader(lambda key: key in NAME_TAGS or is_driving_tag(key))
+    readings: dict[tuple[tuple[str, str], ...], WayReading] = {}
+    known: dict[str, tuple[WayReading | None, int, str, str]] = {}
+    rows = []
+    for text in raw.way_tags:
+        row = known.get(text)
+        if row is None:
+            tags = read_tags(text)
+            ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
+            name = tags.pop("name", destination)
+            highway = tags.get("highway", "")
+            reading = None
+            if highway in classes:
+                key = tuple(tags.items())
+                reading = readings.get(key) or readings.setdefault(key, read_way(tags, rules))
+            row = known[text] = (reading, _class_code(highway), ref, name)
+        rows.append(row)
+    return _ways(rows)
+
+
+def _class_code(highway: str) -> int:
+    return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
+
+
+def _ways(rows: list[tuple[WayReading | None, int, str, str]]) -> _Ways:
+    # Services and rest areas that are ways have no reading: they become points, not roads.
+    readings = [row[0] or NOT_A_ROAD for row in rows]
+    kept = np.fromiter((reading.allowed for reading in readings), bool, len(rows))
+    counts: Counter[str] = Counter()
+    for reading, number in Counter(readings).items():
+        if reading is NOT_A_ROAD:
+            continue
+        counts["ways of these classes"] += number
+        if reading.allowed:
+            for remark in reading.remarks:
+                counts[remark] += number
+        else:
+            counts["ways dropped: closed to trucks"] += number
+    matching = counts.pop("ways of these classes", 0)
+    first = {"ways of these classes": matching, "ways kept": int(kept.sum())}
+    size = len(rows)
+    return _Ways(
+        kept=kept,
+        direction=np.fromiter((r.direction for r in readings), np.int8, size),
+        speed_mps=np.fromiter((r.speed_kmh for r in readings), np.float64, size) / 3.6,
+        road_class=np.fromiter((row[1] for row in rows), np.uint8, size),
+        toll=np.fromiter((r.toll for r in readings), bool, size),
+        ref=tuple(row[2] for row in rows),
+        name=tuple(row[3] for row in rows),
+        matching=matching,
+        counts=first | dict(sorted(counts.items())),
+    )
+
+
+def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
+    counts = dict(ways.counts)
+    way = np.repeat(np.arange(len(raw.way_id)), np.diff(raw.first))
+    present = ~np.isnan(raw.lon)
+    on_road = ways.kept[way]
+    counts["nodes missing from ways"] = int((on_road & ~present).sum())
+    counts["ways of fewer than two nodes"] = int((np.diff(raw.first)[ways.kept] < 2).sum())
+    # A segment joins two nodes that follow each other on a way and that the file both has.
+    start = np.flatnonzero(on_road[:-1] & (way[:-1] == way[1:]) & present[:-1] & present[1:])
+    repeated = raw.ref[start] == raw.ref[start + 1]
+    counts["repeated nodes skipped"] = int(repeated.sum())
+    start = start[~repeated]
+    counts = {name: number for name, number in counts.items() if number or name == "ways kept"}
+    ids, place, node = np.unique(
+        raw.ref[np.concatenate([start, start + 1])], return_index=True, return_inverse=True
+    )
+    at = np.concatenate([start, start + 1])[place]
+    tail, head = node[: len(start)], node[len(start) :]
+    of = way[start]
+    forward, backward = ways.direction[of] != BACKWARD, ways.direction[of] != FORWARD
+    tails = np.concatenate([tail[forward], head[backward]])
+    heads = np.concatenate([head[forward], tail[backward]])
+    source_way = np.concatenate([of[forward], of[backward]])
+
+    junctions, points = _named_nodes(raw, ids)
+    texts, codes = encode_texts(
+        ways.ref, ways.name, [row[1] for row in junctions], [row[2] for row in junctions],
+        [row[3] for row in points],
+    )  # fmt: skip
+    position = [row[0] for row in junctions]
+    node_name, node_ref = np.zeros(len(ids), np.int32), np.zeros(len(ids), np.int32)
+    node_name[position], node_ref[position] = codes[2], codes[3]
+    keep = np.zeros(len(ids), bool)
+    keep[position] = [row[3] for row in junctions]
+    report = LoadReport(counts)
+    try:
+        net = RoadNetwork.from_edges(
+            tails, heads,
+            lon=raw.lon[at], lat=raw.lat[at], speed_mps=ways.speed_mps[source_way],
+            node_id=ids, node_name=node_name, node_ref=node_ref,
+            road_class=ways.road_class[source_way], ref=codes[0][source_way],
+            name=codes[1][source_way], toll=ways.toll[source_way],
+            way_id=raw.way_id[source_way], texts=texts, points=_points(points, codes[4]),
+            source=raw.source, report=report,
+        )  # fmt: skip
+    except NetworkError as error:
+        raise MapDataError(f"{file}: {error}") from error
+    merged = merge_chains(net, keep)
+    sizes = {
+        "nodes read": net.n, "directed segments read": net.m,
+        "nodes after contracting chains": merged.n, "edges after contracting chains": merged.m,
+        "named junctions": int((merged.node_name > 0).sum()),
+        "service and rest areas": int((merged.points.kind < POINT_KINDS.index("city")).sum()),
+    }  # fmt: skip
+    return merged.with_report(report.extended(sizes))
+
+
+def _named_nodes(
+    raw: RawMap, ids: NDArray[np.int64]
+) -> tuple[list[tuple[int, str, str, bool]], list[tuple[float, float, int, str, int]]]:
+    """Sort tagged nodes into junctions on the roads, and places beside them."""
+    junctions, points = [], []
+    read_tags = TagReader(PLACE_TAGS.__contains__)
+    wanted = np.array([row[0] for row in raw.nodes], np.int64)
+    position = np.searchsorted(ids, wanted)
+    for (node, text, lon, lat), at in zip(raw.nodes, position.tolist(), strict=True):
+        tags = read_tags(text)
+        name = tags.get("name", "")
+        kind = tags.get("highway") or tags.get("place") or ""
+        if kind in POINT_KINDS:
+            points.append((lon, lat, POINT_KINDS.index(kind), name, _whole(tags, "population")))
+        elif at < len(ids) and ids[at] == node:
+            is_junction = kind == "motorway_junction"
+            junctions.append((at, name, tags.get("ref", "") if is_junction else "", is_junction))
+    for way in np.flatnonzero([_is_service_area(text) for text in raw.way_tags]).tolist():
+        tags = read_tags(raw.way_tags[way])
+        part = slice(raw.first[way], raw.first[way + 1])
+        if np.isfinite(raw.lon[part]).any():
+            centre = float(np.nanmean(raw.lon[part])), float(np.nanmean(raw.lat[part]))
+            code = POINT_KINDS.index(tags["highway"])
+            points.append((*centre, code, tags.get("name", ""), 0))
+    return junctions, points
+
+
+def _is_service_area(text: str) -> bool:
+    return "highway=services" in text or "highway=rest_area" in text
+
+
+def _whole(tags: dict[str, str], key: str) -> int:
+    digits = tags.get(key, "").replace(" ", "").replace(".", "").replace(",", "")
+    return int(digits) if digits.isdecimal() and len(digits) < 12 else 0
+
+
+def _points(rows: list[tuple[float, float, int, str, int]], name: NDArray[np.int32]) -> NamedPoints:
+    if not rows:
+        return NamedPoints.empty()
+    lon, lat, kind, _, population = zip(*rows, strict=True)
+    return NamedPoints(
+        np.array(lon), np.array(lat), np.array(kind, np.uint8), name, np.array(population, np.int64)
+    )

@@ -1,0 +1,97 @@
+"""Which roads a network keeps: those of the wanted classes that a truck may drive on."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MapDataError
+from ..network.load_report import LoadReport
+from ..network.road_network import RoadNetwork
+from ..network.simplify import merge_chains
+from .truck import TruckRules, WayReading, read_way
+
+__all__ = ["RoadChoice"]
+
+
+class RoadChoice:
+    """Choose roads by their tags and keep count of what was dropped, and why.
+
+    Parameters
+    ----------
+    classes : the wanted values of `highway`.
+    rules : the truck.
+    unit : what is read, "ways" or "edges", for the names of the counts.
+    """
+
+    def __init__(self, classes: Sequence[str], rules: TruckRules, unit: str) -> None:
+        self.classes = classes
+        self.rules = rules
+        self.unit = unit
+        self.counts: Counter[str] = Counter()
+        self.found: Counter[str] = Counter()
+
+    def read(self, tags: Mapping[str, str]) -> WayReading | None:
+        """Return what the tags of a road mean, None if it is dropped."""
+        highway = tags.get("highway", "")
+        self.counts[f"{self.unit} read"] += 1
+        self.found[highway or "none"] += 1
+        if highway not in self.classes:
+            self.counts[f"{self.unit} dropped: other road class"] += 1
+            return None
+        reading = read_way(tags, self.rules)
+        if not reading.allowed:
+            self.counts[f"{self.unit} dropped: closed to trucks"] += 1
+            return None
+        self.counts[f"{self.unit} kept"] += 1
+        self.counts.update(reading.remarks)
+        return reading
+
+    def check_any(self, what: str) -> None:
+        """Refuse data without a single road to keep.
+
+        Parameters
+        ----------
+        what : the file or graph, to begin the message with.
+
+        Raises
+        ------
+        MapDataError
+            With the classes that were found instead.
+        """
+        if self.counts[f"{self.unit} kept"]:
+            return
+        found = ", ".join(f"{kind} ({count:,})" for kind, count in self.found.most_common(8))
+        closed = self.counts[f"{self.unit} dropped: closed to trucks"]
+        raise MapDataError(
+            f"{what}: no road of class {', '.join(self.classes)} that trucks may use"
+            f"{f' ({closed:,} are closed to them)' if closed else ''}; "
+            f"found: {found or 'no road at all'}; choose other classes or a larger area"
+        )
+
+    def finished(
+        self, net: RoadNetwork, junctions: NDArray[np.bool_], *remarks: str
+    ) -> RoadNetwork:
+        """Contract the chains between junctions, which stay, and attach the report.
+
+        Parameters
+        ----------
+        junctions : (n,) nodes to keep though the road only passes them.
+        remarks : sentences for the report.
+        """
+        merged = merge_chains(net, junctions)
+        ordered = sorted(self.counts, key=lambda name: not name.startswith(self.unit))
+        counts = {name: self.counts[name] for name in ordered}
+        touched = np.zeros(net.n, bool)
+        touched[net.tail] = touched[net.head] = True
+        counts |= {
+            "nodes on kept roads": int(touched.sum()),
+            "nodes contracted": int(touched.sum()) - merged.n,
+            "nodes after contracting chains": merged.n,
+            "edges after contracting chains": merged.m,
+            "named junctions": int((merged.node_name > 0).sum()),
+        }
+        return merged.with_report(LoadReport(counts, remarks))
