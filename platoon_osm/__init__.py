@@ -1,0 +1,96 @@
+"""Joint route planning for truck platoons on OpenStreetMap motorway networks.
+
+Names are loaded when first used, so that importing the package costs next to nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from ._version import __version__
+
+if TYPE_CHECKING:
+    from .costs.fatigue import FatigueModel
+    from .costs.fuel import FUEL_SAVINGS, FuelSaving
+    from .costs.weights import EdgeWeights, PaperCosts, paper_weights
+    from .errors import (
+        MapDataError,
+        NetworkError,
+        NoRouteError,
+        PlatoonError,
+        ScenarioError,
+    )
+    from .network.locate import Location
+    from .network.road_network import RoadNetwork
+    from .network.search import many_to_many
+    from .planning.cases import plan_members
+    from .planning.joint import plan_joint
+    from .planning.plans import JointPlan, VehiclePlan
+    from .planning.trips import Trip
+    from .report.gis import to_geodataframe, write_geopackage
+    from .report.page import write_html
+    from .sources.load import load_network
+
+_WHERE = {
+    "FatigueModel": "costs.fatigue",
+    "FUEL_SAVINGS": "costs.fuel",
+    "FuelSaving": "costs.fuel",
+    "EdgeWeights": "costs.weights",
+    "PaperCosts": "costs.weights",
+    "paper_weights": "costs.weights",
+    "MapDataError": "errors",
+    "NetworkError": "errors",
+    "NoRouteError": "errors",
+    "PlatoonError": "errors",
+    "ScenarioError": "errors",
+    "Location": "network.locate",
+    "RoadNetwork": "network.road_network",
+    "many_to_many": "network.search",
+    "plan_members": "planning.cases",
+    "plan_joint": "planning.joint",
+    "JointPlan": "planning.plans",
+    "VehiclePlan": "planning.plans",
+    "Trip": "planning.trips",
+    "to_geodataframe": "report.gis",
+    "write_geopackage": "report.gis",
+    "write_html": "report.page",
+    "load_network": "sources.load",
+}
+
+__all__ = [
+    "FUEL_SAVINGS",
+    "EdgeWeights",
+    "FatigueModel",
+    "FuelSaving",
+    "JointPlan",
+    "Location",
+    "MapDataError",
+    "NetworkError",
+    "NoRouteError",
+    "PaperCosts",
+    "PlatoonError",
+    "RoadNetwork",
+    "ScenarioError",
+    "Trip",
+    "VehiclePlan",
+    "__version__",
+    "load_network",
+    "many_to_many",
+    "paper_weights",
+    "plan_joint",
+    "plan_members",
+    "to_geodataframe",
+    "write_geopackage",
+    "write_html",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WHERE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_WHERE[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

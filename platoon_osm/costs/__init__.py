@@ -1,0 +1,1 @@
+"""What an edge costs alone and in a platoon."""

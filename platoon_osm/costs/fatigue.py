@@ -1,0 +1,172 @@
+"""Driver fatigue as a function of consecutive driving time, eq. 6 to 10 of the paper.
+
+The curves are bumps: they rise and fall again, and they do not add up over edges. So fatigue is
+never an edge weight here; it is evaluated on the driving clock of a whole journey.
+
+References
+----------
+.. [1] Adas et al., "Joint travel route optimization", IFAC 2025, after Zhang et al. 2019.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ScenarioError
+
+__all__ = [
+    "FITTED_RANGE_S", "PERIODS", "FatigueForm", "FatigueModel", "Period", "driving_clock",
+    "fatigue_curve", "fatigue_heuristic",
+]  # fmt: skip
+
+FatigueForm = Literal["as_printed", "by_period", "monotone"]
+Period = Literal["morning", "afternoon", "night"]
+Floats = NDArray[np.float64]
+
+# alpha, beta [s], epsilon [s] of each Gaussian, table of [1]_. Night repeats the two terms of the
+# afternoon, as printed there.
+_MORNING = ((60.83, 8834.0, 4760.0),)
+_AFTERNOON = ((22.1, 9675.0, 6142.0), (92.1, 13820.0, 6358.0))
+_NIGHT = ((2.599, 5046.0, 1257.0), (92.1, 13820.0, 6358.0), (22.1, 9675.0, 6142.0))
+PERIODS: dict[str, tuple[tuple[float, float, float], ...]] = {
+    "morning": _MORNING, "afternoon": _AFTERNOON, "night": _NIGHT,
+}  # fmt: skip
+
+FITTED_RANGE_S = (0.0, 16200.0)
+"""Driving times the curves can speak for: up to 4 h 30, the longest legal spell without a break."""
+
+PHI = 96.06
+"""Inflation of the paper's heuristic, eq. 11 of [1]_."""
+
+
+def fatigue_curve(driving_s: ArrayLike, period: Period) -> Floats:
+    """Fatigue after some time of consecutive driving, eq. 6, 7 or 8 of [1]_.
+
+    Parameters
+    ----------
+    driving_s : consecutive driving time [s].
+    period : "morning" (eq. 6), "afternoon" (eq. 7) or "night" (eq. 8).
+    """
+    if period not in PERIODS:
+        raise ScenarioError(f"period {period!r} is unknown; use {', '.join(PERIODS)}")
+    t = np.asarray(driving_s, np.float64)
+    value = np.zeros_like(t)
+    for alpha, beta, epsilon in PERIODS[period]:
+        value = value + alpha * np.exp(-(((t - beta) / epsilon) ** 2))
+    return value
+
+
+def _printed(driving_s: Floats) -> Floats:
+    return (
+        fatigue_curve(driving_s, "morning")
+        + fatigue_curve(driving_s, "afternoon")
+        + fatigue_curve(driving_s, "night")
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class FatigueModel:
+    """How to read the paper's curves.
+
+    Attributes
+    ----------
+    form : "as_printed" is the sum of the three curves (eq. 9); "by_period" the curve of the time
+        of day; "monotone" the running maximum of the sum: a driver does not recover by driving on.
+    task_relief : [0, 1], how much a follower's driving clock slows: 1 stops it (the paper), 0 lets
+        it run (EU law today).
+    """
+
+    form: FatigueForm = "monotone"
+    task_relief: float = 1.0
+
+    def __post_init__(self) -> None:
+        if self.form not in ("as_printed", "by_period", "monotone"):
+            raise ScenarioError(
+                f"fatigue form {self.form!r} is unknown; use as_printed, by_period or monotone"
+            )
+        if not 0 <= self.task_relief <= 1:
+            raise ScenarioError(f"task_relief = {self.task_relief!r} must lie in [0, 1]")
+
+    def along(self, clock_s: ArrayLike, hour_of_day: ArrayLike | None = None) -> Floats:
+        """Fatigue along a journey.
+
+        Parameters
+        ----------
+        clock_s : (k,) driving clock at k moments in order [s].
+        hour_of_day : (k,) local time of those moments [h], needed by "by_period".
+
+        Warns
+        -----
+        UserWarning
+            If the clock leaves the range the curves were fitted for.
+        """
+        clock = np.asarray(clock_s, np.float64)
+        if clock.size and (clock.min() < FITTED_RANGE_S[0] or clock.max() > FITTED_RANGE_S[1]):
+            warnings.warn(
+                f"fatigue: driving clock reaches {clock.max() / 3600:.1f} h, the curves hold up to "
+                f"{FITTED_RANGE_S[1] / 3600:.1f} h",
+                stacklevel=2,
+            )
+        if self.form == "by_period":
+            if hour_of_day is None:
+                raise ScenarioError("fatigue by_period needs the hour of day of each moment")
+            period = period_of_day(hour_of_day)
+            curves = [fatigue_curve(clock, name) for name in ("morning", "afternoon", "night")]
+            return np.choose(period, curves)
+        printed = _printed(clock)
+        if self.form == "as_printed":
+            return printed
+        running: Floats = np.maximum.accumulate(printed)
+        return running
+
+
+def period_of_day(hour: ArrayLike) -> NDArray[np.int64]:
+    """Return 0 for morning (6 to 12 h), 1 for afternoon (12 to 20 h), 2 for night."""
+    h = np.asarray(hour, np.float64) % 24
+    return np.where((h >= 6) & (h < 12), 0, np.where((h >= 12) & (h < 20), 1, 2)).astype(np.int64)
+
+
+def driving_clock(
+    legs: Iterable[tuple[str, float]], task_relief: float, step_s: float = 300.0
+) -> tuple[Floats, Floats]:
+    """Return moments of a journey and the driving clock at each.
+
+    Parameters
+    ----------
+    legs : (role, seconds) in order; in role "platoon" the clock runs at 1 - task_relief.
+    step_s : at most this far apart.
+
+    Returns
+    -------
+    time_s, clock_s : (k,) from 0 to the journey's end.
+    """
+    times, clocks = [0.0], [0.0]
+    for role, seconds in legs:
+        rate = 1 - task_relief if role == "platoon" else 1.0
+        count = max(1, int(np.ceil(seconds / step_s)))
+        for _ in range(count):
+            times.append(times[-1] + seconds / count)
+            clocks.append(clocks[-1] + rate * seconds / count)
+    return np.array(times), np.array(clocks)
+
+
+def fatigue_heuristic(distance_m: ArrayLike, master_cost: float, speed_mps: float) -> Floats:
+    """Return the paper's inflated A* heuristic phi * C_master * F(t), eq. 11 of [1]_.
+
+    It is not admissible: it exceeds the cost that remains by orders of magnitude, so A* with it
+    is a greedy search, and its answers are not optimal.
+
+    Parameters
+    ----------
+    distance_m : great-circle distance from each node to the goal [m].
+    master_cost : travel cost of the master vehicle.
+    speed_mps : cruising speed, for the estimated time t.
+    """
+    estimated_s = np.asarray(distance_m, np.float64) / speed_mps
+    return PHI * master_cost * _printed(estimated_s)

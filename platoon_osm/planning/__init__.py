@@ -1,0 +1,1 @@
+"""The decisions: who drives where, merges with whom, and what it saves."""

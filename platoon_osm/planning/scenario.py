@@ -1,0 +1,216 @@
+"""Scenarios: what to plan, as a TOML file that people write by hand."""
+
+from __future__ import annotations
+
+import csv
+import difflib
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from ..costs.weights import EdgeWeights, PaperCosts, paper_weights
+from ..errors import PlatoonError, ScenarioError
+from ..network.road_network import RoadNetwork
+from .joint import plan_joint
+from .plans import JointPlan
+from .trips import Trip
+
+__all__ = ["Scenario", "ScenarioTrip", "read_scenario"]
+
+NETWORK_KEYS = ("source", "classes", "country", "limiter_kmh", "infer_links")
+TOP_KEYS = ("title", "network", "case", "objective", "method", "master", "costs", "trips")
+TRIP_KEYS = ("vehicle", "origin", "destination")
+COST_KEYS = ("preset", *PaperCosts.__slots__)
+
+
+@dataclass(frozen=True, slots=True)
+class ScenarioTrip:
+    """A trip as written: places are names or (lon, lat), not yet nodes."""
+
+    vehicle: str
+    origin: str | tuple[float, float]
+    destination: str | tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """A scenario file.
+
+    Attributes
+    ----------
+    file : where it was read.
+    network : keyword arguments of `load_network`.
+    options : keyword arguments of `plan_joint`.
+    costs : parameters of the paper's costs.
+    """
+
+    file: Path
+    title: str
+    network: Mapping[str, Any]
+    trips: tuple[ScenarioTrip, ...]
+    options: Mapping[str, Any] = field(default_factory=dict)
+    costs: Mapping[str, Any] = field(default_factory=dict)
+
+    def weights(self, net: RoadNetwork) -> EdgeWeights:
+        """Return the weights the scenario asks for."""
+        return paper_weights(net, **self.costs)
+
+    def located(self, net: RoadNetwork) -> list[Trip]:
+        """Find the scenario's places on a network."""
+        return [
+            Trip(
+                trip.vehicle,
+                self._locate(net, trip, "origin"),
+                self._locate(net, trip, "destination"),
+            )
+            for trip in self.trips
+        ]
+
+    def _locate(self, net: RoadNetwork, trip: ScenarioTrip, end: Any) -> Any:
+        try:
+            return net.locate(getattr(trip, end), end)
+        except PlatoonError as error:
+            raise ScenarioError(f"{self.file}: trip {trip.vehicle!r}, {end}: {error}") from error
+
+    def plan(self, net: RoadNetwork) -> JointPlan:
+        """Plan the scenario on a network."""
+        try:
+            return plan_joint(net, self.weights(net), self.located(net), **self.options)
+        except ScenarioError as error:
+            if str(error).startswith(str(self.file)):
+                raise
+            raise ScenarioError(f"{self.file}: {error}") from error
+
+
+def read_scenario(path: str | os.PathLike[str]) -> Scenario:
+    """Read and check a scenario.
+
+    Raises
+    ------
+    ScenarioError
+        The file cannot be read, is no TOML, or has a key that is unknown (the nearest one is
+        named), missing or of the wrong kind.
+    """
+    file = Path(path)
+    try:
+        data = tomllib.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ScenarioError(f"{file}: cannot be read ({error.strerror})") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{file}: not a TOML file ({error}); see examples/") from error
+    _known(file, "scenario", data, TOP_KEYS)
+    network = data.get("network")
+    if isinstance(network, str):
+        network = {"source": network}
+    if not isinstance(network, dict) or "source" not in network:
+        raise ScenarioError(
+            f'{file}: network is missing; write network = "italy-motorways" or a path to a map'
+        )
+    _known(file, "[network]", network, NETWORK_KEYS)
+    network = {**network, "source": _beside(file, network["source"])}
+    costs = data.get("costs", {})
+    if not isinstance(costs, dict):
+        raise ScenarioError(f"{file}: costs must be a table, [costs]")
+    _known(file, "[costs]", costs, COST_KEYS)
+    if costs.get("preset", "paper") != "paper":
+        raise ScenarioError(f'{file}: costs preset {costs["preset"]!r} is unknown; use "paper"')
+    options: dict[str, Any] = {
+        key: _text(file, key, data[key])
+        for key in ("case", "objective", "method", "master")
+        if key in data
+    }
+    return Scenario(
+        file=file,
+        title=_text(file, "title", data.get("title", file.stem)),
+        network=network,
+        trips=_trips(file, data.get("trips")),
+        options=options,
+        costs={key: value for key, value in costs.items() if key != "preset"},
+    )
+
+
+def _known(file: Path, where: str, table: Mapping[str, Any], allowed: Sequence[str]) -> None:
+    for key in table:
+        if key not in allowed:
+            near = difflib.get_close_matches(key, allowed, 1, 0.5)
+            hint = f"did you mean {near[0]!r}?" if near else f"known are {', '.join(allowed)}"
+            raise ScenarioError(f"{file}: {where} has no key {key!r}; {hint}")
+
+
+def _text(file: Path, key: str, value: Any) -> str:
+    if not isinstance(value, str) or not value.strip():
+        raise ScenarioError(f"{file}: {key} = {value!r} must be a text in quotes")
+    return value
+
+
+def _beside(file: Path, source: Any) -> str:
+    """Read a map's path as seen from the scenario, unless it is a name or found as it stands."""
+    text = _text(file, "network source", source)
+    beside = file.parent / text
+    return str(beside) if beside.is_file() and not Path(text).is_file() else text
+
+
+def _trips(file: Path, data: Any) -> tuple[ScenarioTrip, ...]:
+    if isinstance(data, str):
+        rows = _csv_rows(file, Path(_beside(file, data)))
+    elif isinstance(data, list) and data:
+        rows = [(f"trip {number}", row) for number, row in enumerate(data, 1)]
+    else:
+        raise ScenarioError(f"{file}: no trips; add [[trips]] with vehicle, origin, destination")
+    return tuple(_trip(file, where, row) for where, row in rows)
+
+
+def _trip(file: Path, where: str, row: Any) -> ScenarioTrip:
+    if not isinstance(row, Mapping):
+        raise ScenarioError(f"{file}: {where} must be a table with {', '.join(TRIP_KEYS)}")
+    _known(file, where, row, TRIP_KEYS)
+    for key in TRIP_KEYS:
+        if key not in row:
+            raise ScenarioError(f"{file}: {where} has no {key}")
+    return ScenarioTrip(
+        _text(file, f"{where}: vehicle", row["vehicle"]),
+        _place(file, where, "origin", row["origin"]),
+        _place(file, where, "destination", row["destination"]),
+    )
+
+
+def _place(file: Path, where: str, key: str, value: Any) -> str | tuple[float, float]:
+    if isinstance(value, str) and value.strip():
+        return value
+    numbers = isinstance(value, Sequence) and all(
+        isinstance(part, int | float) and not isinstance(part, bool) for part in value
+    )
+    if numbers and len(value) == 2:
+        return float(value[0]), float(value[1])
+    raise ScenarioError(
+        f"{file}: {where}: {key} = {value!r} must be a name or a [lon, lat] pair in degrees"
+    )
+
+
+def _csv_rows(file: Path, table: Path) -> list[tuple[str, dict[str, Any]]]:
+    """Read trips from CSV: vehicle, origin, destination; places as names or "lon lat"."""
+    try:
+        with table.open(encoding="utf-8", newline="") as handle:
+            rows = list(csv.DictReader(handle))
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{file}: trips file {table} cannot be read ({error})") from error
+    if not rows:
+        raise ScenarioError(f"{file}: trips file {table} has no rows under its header")
+    return [
+        (
+            f"{table.name} line {number}",
+            {key: _maybe_pair(value) for key, value in row.items() if key is not None},
+        )
+        for number, row in enumerate(rows, 2)
+    ]
+
+
+def _maybe_pair(text: str | None) -> Any:
+    parts = (text or "").split()
+    try:
+        return [float(part) for part in parts] if len(parts) == 2 else text or ""
+    except ValueError:
+        return text

@@ -1,0 +1,84 @@
+"""A plan as a table that can be read aloud."""
+
+from __future__ import annotations
+
+from .plans import JointPlan, VehiclePlan
+
+__all__ = ["kilometre_equivalents", "summary"]
+
+CASE_TITLES = {
+    "A": "members merge and stay",
+    "B": "start together, separate on the way",
+    "C": "merge and separate on the way",
+    "D": "two vehicles, both routes free",
+}
+
+
+def summary(plan: JointPlan) -> str:
+    """Return the plan as text: one row a vehicle, then totals, points and what is proved."""
+    header = ("vehicle", "from", "to", "role", "alone", "joint", "saving", "platoon")
+    rows = [_row(plan, vehicle) for vehicle in plan.vehicles]
+    total = (
+        "total", "", "", "", kilometre_equivalents(plan, plan.solo_cost),
+        kilometre_equivalents(plan, plan.joint_cost), f"{plan.saving:.1%}",
+        f"{plan.platoon_m / 1000:,.0f} km",
+    )  # fmt: skip
+    table = [header, *rows, total]
+    width = [max(len(row[k]) for row in table) for k in range(len(header))]
+    right = {4, 5, 6, 7}
+
+    def line(row: tuple[str, ...]) -> str:
+        cells = (
+            text.rjust(width[k]) if k in right else text.ljust(width[k])
+            for k, text in enumerate(row)
+        )
+        return "  ".join(cells).rstrip()
+
+    rule = "-" * len(line(tuple("x" * w for w in width)))
+    unit = "km-equivalents" if plan.unit == "m" else plan.unit
+    lines = [
+        f"Case {plan.case}: {CASE_TITLES[plan.case]}; costs in {unit}", "",
+        line(header), rule, *(line(row) for row in rows), rule, line(total), "",
+    ]  # fmt: skip
+    lines += [text for vehicle in plan.vehicles for text in _events(vehicle)]
+    lines.append(_proof(plan))
+    lines += [f"Note: {remark}" for remark in plan.remarks]
+    return "\n".join(lines)
+
+
+def kilometre_equivalents(plan: JointPlan, cost: float) -> str:
+    """Return a cost as people read it: metre-equivalents as km, money with two digits."""
+    return f"{cost / 1000:,.0f}" if plan.unit == "m" else f"{cost:,.2f}"
+
+
+def _row(plan: JointPlan, vehicle: VehiclePlan) -> tuple[str, ...]:
+    return (
+        vehicle.vehicle, vehicle.origin.name, vehicle.destination.name, vehicle.role,
+        kilometre_equivalents(plan, vehicle.solo_cost),
+        kilometre_equivalents(plan, vehicle.joint_cost),
+        f"{vehicle.saving:.1%}", f"{vehicle.platoon_m / 1000:,.0f} km",
+    )  # fmt: skip
+
+
+def _events(vehicle: VehiclePlan) -> list[str]:
+    if vehicle.merge is not None and vehicle.separation is not None:
+        partners = sorted({name for leg in vehicle.legs for name in leg.partners})
+        return [
+            f"{vehicle.vehicle} merges with {' and '.join(partners)} at {vehicle.merge.name} "
+            f"(its km {vehicle.merge.km:,.0f}), separates at {vehicle.separation.name} "
+            f"(its km {vehicle.separation.km:,.0f})"
+        ]
+    return [f"{vehicle.vehicle} stays alone: {vehicle.reason}"] if vehicle.role == "alone" else []
+
+
+def _proof(plan: JointPlan) -> str:
+    kind = plan.proof.get("kind")
+    conditions = "; ".join(plan.proof.get("conditions", ()))
+    if kind == "exact":
+        return f"Proved optimal ({conditions})."
+    if kind == "bound":
+        return f"At most {plan.proof['gap']:.3%} above the optimum ({conditions})."
+    return (
+        f"Found by the paper's inflated A*: {plan.proof['excess']:.2%} above the optimum "
+        f"({conditions})."
+    )
