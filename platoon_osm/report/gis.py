@@ -1,0 +1,200 @@
+"""A plan as GIS layers: a GeoDataFrame, and a GeoPackage that any GIS opens."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..network.road_network import ROAD_CLASSES, RoadNetwork
+from ..planning.plans import JointPlan
+from .document import check_plan
+from .events import platoon_events
+from .provenance import credits, proof_text
+from .quantities import cost_unit
+from .sections import platoon_sections
+from .shown_text import shown
+from .solo_costs import sum_over
+from .whole_file import draft_of
+
+if TYPE_CHECKING:
+    import geopandas
+
+__all__ = ["to_geodataframe", "write_geopackage"]
+
+CRS = "EPSG:4326"
+
+
+def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame:
+    """Return the legs of all vehicles, one a row, as lines in EPSG:4326.
+
+    Columns: vehicle, vehicle_role, leg (from 1), role, partners, origin, destination, roads,
+    length_m, time_s, fuel_l, cost, cost_unit, inferred_m, attribution. Legs without road are left
+    out.
+
+    Raises
+    ------
+    ScenarioError
+        A plan of another network.
+    """
+    check_plan(plan, net)
+    credit = " \u00b7 ".join(credits(plan, net))
+    columns: dict[str, list[Any]] = {
+        name: []
+        for name in (
+            "vehicle", "vehicle_role", "leg", "role", "partners", "origin", "destination", "roads",
+            "length_m", "time_s", "fuel_l", "cost", "cost_unit", "inferred_m", "attribution",
+        )
+    }  # fmt: skip
+    lines: list[Any] = []
+    for vehicle in plan.vehicles:
+        for number, leg in enumerate(vehicle.legs, 1):
+            if not leg.edges:
+                continue
+            lines.append(net.path_shape(leg.edges))
+            row = (
+                shown(vehicle.vehicle), vehicle.role, number, leg.role,
+                ", ".join(shown(name) for name in leg.partners), shown(vehicle.origin.name),
+                shown(vehicle.destination.name), _roads(net, leg.edges), leg.length_m, leg.time_s,
+                leg.fuel_l, leg.cost, shown(plan.unit), leg.inferred_m, credit,
+            )  # fmt: skip
+            for values, value in zip(columns.values(), row, strict=True):
+                values.append(value)
+    return _lines_frame(columns, lines)
+
+
+def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
+    """Write a plan as a GeoPackage; it appears whole or not at all.
+
+    Layers: `routes` (as `to_geodataframe`), `platoons` (stretches of one company), `points`
+    (starts, destinations, merges, separations), `network` (all edges), `about` (a table: network,
+    method, proof, parameters, attribution).
+
+    Raises
+    ------
+    ScenarioError
+        A plan of another network, or a file that cannot be written.
+    """
+    import pandas as pd
+    import pyogrio
+
+    layers: list[tuple[str, Any, str | None]] = [
+        ("routes", to_geodataframe(plan, net), "LineString"),
+        ("platoons", _platoons(plan, net), "LineString"),
+        ("points", _points(plan), "Point"),
+        ("network", _network(net), "LineString"),
+        ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
+    ]
+    with draft_of(path, ".gpkg") as draft:
+        for name, frame, kind in layers:
+            try:
+                pyogrio.write_dataframe(
+                    frame, draft, layer=name, driver="GPKG", append=draft.exists(),
+                    geometry_type=kind,
+                )  # fmt: skip
+            except pyogrio.errors.DataSourceError as error:
+                # As an OSError it is told like any other failure to write.
+                raise OSError(f"layer {name}: {str(error).splitlines()[0]}") from error
+
+
+def _lines_frame(columns: Mapping[str, Any], lines: Iterable[Any]) -> geopandas.GeoDataFrame:
+    import geopandas
+    import shapely
+
+    shapes = [shapely.linestrings(points) for points in lines]
+    return geopandas.GeoDataFrame(
+        dict(columns), geometry=geopandas.GeoSeries(shapes, crs=CRS), crs=CRS
+    )
+
+
+def _roads(net: RoadNetwork, edges: Sequence[int]) -> str:
+    refs = dict.fromkeys(shown(net.edge_ref(edge)) for edge in edges)
+    return ", ".join(ref for ref in refs if ref)
+
+
+def _platoons(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame:
+    sections = platoon_sections(plan)
+    names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
+    return _lines_frame(
+        {
+            "vehicles": [", ".join(names[i] for i in part.vehicles) for part in sections],
+            "size": np.array([len(part.vehicles) for part in sections], np.int32),
+            "roads": [_roads(net, part.edges) for part in sections],
+            "length_m": np.array([sum_over(net.length_m, part.edges) for part in sections]),
+        },
+        [net.path_shape(part.edges) for part in sections],
+    )
+
+
+def _points(plan: JointPlan) -> geopandas.GeoDataFrame:
+    import geopandas
+
+    names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
+    rows: list[tuple[str, str, str, str, int | None, float, float]] = []
+    for name, vehicle in zip(names, plan.vehicles, strict=True):
+        for kind, stop in (("start", vehicle.origin), ("destination", vehicle.destination)):
+            rows.append((kind, shown(stop.name), name, "", None, stop.lon, stop.lat))
+    for event in platoon_events(plan, platoon_sections(plan)):
+        at = event.point
+        who, others = (", ".join(names[i] for i in group) for group in (event.movers, event.others))
+        rows.append((event.kind, shown(at.name), who, others, at.osm_id, at.lon, at.lat))
+    kinds, places, who_all, with_all, ids, lons, lats = zip(*rows, strict=True)
+    import pandas as pd
+
+    return geopandas.GeoDataFrame(
+        {
+            "kind": kinds,
+            "name": places,
+            "vehicles": who_all,
+            "with_vehicles": with_all,
+            "osm_id": pd.array(ids, dtype="Int64"),
+        },
+        geometry=geopandas.points_from_xy(lons, lats, crs=CRS),
+    )
+
+
+def _network(net: RoadNetwork) -> geopandas.GeoDataFrame:
+    import geopandas
+    import shapely
+
+    owner = np.repeat(np.arange(net.m), np.diff(net.shape_first))
+    texts = [shown(text) for text in net.texts]
+    return geopandas.GeoDataFrame(
+        {
+            "edge": np.arange(net.m),
+            "way_id": net.way_id,
+            "ref": [texts[code] for code in net.ref],
+            "name": [texts[code] for code in net.name],
+            "road_class": [ROAD_CLASSES[code] for code in net.road_class],
+            "length_m": net.length_m,
+            "speed_mps": net.speed_mps,
+            "toll": net.toll,
+            "inferred": net.inferred,
+        },
+        geometry=shapely.linestrings(net.shape_lon, net.shape_lat, indices=owner),
+        crs=CRS,
+    )
+
+
+def _about(plan: JointPlan, net: RoadNetwork) -> list[tuple[str, str]]:
+    identity = plan.network
+    rows: list[tuple[str, Any]] = [
+        ("attribution", " \u00b7 ".join(credits(plan, net))),
+        ("licence", identity.licence),
+        ("network", identity.name),
+        ("network_sha256", identity.sha256),
+        ("network_extracted", identity.extracted),
+        ("network_identity", identity.identity),
+        ("case", plan.case),
+        ("asked", plan.asked),
+        ("objective", plan.objective),
+        ("method", plan.method),
+        ("cost_unit", plan.unit),
+        ("proof", proof_text(plan.proof, cost_unit(plan.unit))),
+        ("made_by", f"platoon_osm {plan.version}".strip()),
+        *((f"parameter {name}", value) for name, value in plan.params.items()),
+        *(("remark", remark) for remark in plan.remarks),
+    ]
+    return [(shown(item), shown(text)) for item, text in rows]

@@ -1,0 +1,180 @@
+"""The report of a plan as one HTML file that needs nothing else, now or in years."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import json
+import os
+import re
+from string import Template
+from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
+
+from ..costs.weights import EdgeWeights
+from ..errors import ScenarioError
+from ..network.road_network import RoadNetwork
+from ..planning.plans import JointPlan
+from .document import report_document
+from .fragments import asset, fill
+from .leaflet import Leaflet, load_leaflet
+from .panel import page_body
+from .whole_file import draft_of
+
+if TYPE_CHECKING:
+    import folium
+
+__all__ = ["plan_map", "write_html"]
+
+LEAFLET_LICENCE = "leaflet-licence.txt"
+
+
+def write_html(
+    plan: JointPlan,
+    net: RoadNetwork,
+    path: str | os.PathLike[str],
+    *,
+    title: str | None = None,
+    tiles: str | None = None,
+    leaflet_dir: str | os.PathLike[str] | None = None,
+    weights: EdgeWeights | None = None,
+) -> None:
+    """Write a plan's report: map, figures, table, points and provenance in one file.
+
+    The same plan on the same network gives the same bytes. The file appears whole or not at all.
+
+    Parameters
+    ----------
+    net : the network the plan was made on.
+    path : of the file; its folder must exist.
+    title : heads the page.
+    tiles : None for a page that never asks the network for anything; or the name of an online
+        map ("OpenStreetMap") or an https address with {z}, {x} and {y}, drawn underneath.
+    leaflet_dir : another copy of Leaflet 1.9.3; by default that of package XStatic-Leaflet.
+    weights : see `report_document`.
+
+    Raises
+    ------
+    ScenarioError
+        A plan that does not fit the network, an unknown map, no Leaflet, or a file that cannot be
+        written.
+    """
+    made = plan_map(
+        plan, net, title=title, tiles=tiles, leaflet_dir=leaflet_dir, weights=weights
+    )  # fmt: skip
+    text = made.get_root().render()
+    with draft_of(path) as draft:
+        draft.write_text(text, encoding="utf-8", newline="\n")
+
+
+def plan_map(
+    plan: JointPlan,
+    net: RoadNetwork,
+    *,
+    title: str | None = None,
+    tiles: str | None = None,
+    leaflet_dir: str | os.PathLike[str] | None = None,
+    weights: EdgeWeights | None = None,
+) -> folium.Map:
+    """Return a plan's report as a `folium.Map`; parameters and errors as in `write_html`.
+
+    Its page is that of `write_html`. What a caller adds to it is folium's own, and rendered as
+    folium does: add no names from a map to it.
+    """
+    from .folium_map import PlanMap
+
+    document = report_document(plan, net, title=title, weights=weights)
+    document["tiles"] = None if tiles is None else _tile_layer(tiles)
+    if document["tiles"]:
+        document["provenance"]["credits"].append(document["tiles"]["credit"])
+    return PlanMap(PageParts(document, load_leaflet(leaflet_dir)))
+
+
+class PageParts:
+    """What a page is put together from, apart from what folium contributes."""
+
+    def __init__(self, document: dict[str, Any], leaflet: Leaflet) -> None:
+        self.document = document
+        self.leaflet = leaflet
+
+    def html(self, map_id: str, *, header: str, extra: str, script: str) -> str:
+        """Return the whole page.
+
+        Parameters
+        ----------
+        map_id : of the element that holds the map.
+        header, extra : markup for the head and the end of the body, from folium.
+        script : from folium, creates the map; the page's own script follows it.
+        """
+        scripts = [self.leaflet.script, f"{script.strip()}\n{asset('page.js')}"]
+        styles = [self.leaflet.style, asset("page.css")]
+        body = page_body(self.document, fill("live-map", id=map_id))
+        return Template(asset("page.html")).substitute(
+            policy=_policy(scripts, styles, self.document["tiles"]),
+            title=html.escape(self.document["title"]),
+            licences=asset(LEAFLET_LICENCE).strip(),
+            leaflet_style=styles[0],
+            page_style=styles[1],
+            header=header.strip(),
+            body=f"{body}\n{extra.strip()}".strip(),
+            data=json_for_html(self.document),
+            leaflet_script=scripts[0],
+            script=scripts[1],
+        )
+
+
+def json_for_html(data: Any) -> str:
+    """Return JSON that cannot end the script element it stands in, nor a line of JavaScript."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return re.sub("[<>&\u2028\u2029]", lambda found: f"\\u{ord(found.group()):04x}", text)
+
+
+def _policy(scripts: list[str], styles: list[str], tiles: dict[str, Any] | None) -> str:
+    """Return the content security policy that allows these scripts and styles, and no others."""
+    images = "data:" + (f" {tiles['origin']}" if tiles else "")
+    return "; ".join(
+        [
+            "default-src 'none'",
+            "script-src " + " ".join(_source_hash(text) for text in scripts),
+            "style-src " + " ".join(_source_hash(text) for text in styles),
+            f"img-src {images}",
+            "base-uri 'none'",
+            "form-action 'none'",
+        ]
+    )
+
+
+def _source_hash(text: str) -> str:
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def _tile_layer(tiles: str) -> dict[str, Any]:
+    """Return address, credit and origin of an online map."""
+    if tiles.startswith("https://") and "{z}" in tiles and "{x}" in tiles and "{y}" in tiles:
+        url, credit, zoom = tiles, f"Background map: {urlsplit(tiles).hostname}", 19
+    else:
+        # folium brings it along; it has no type hints.
+        import xyzservices.providers as online_maps  # type: ignore[import-untyped]
+
+        try:
+            # The plain name stands for the standard style, as in folium.
+            plain = tiles.casefold() == "openstreetmap"
+            provider = online_maps.query_name("OpenStreetMap.Mapnik" if plain else tiles)
+        except ValueError:
+            raise ScenarioError(
+                f'tiles {tiles!r}: no online map of that name; try "OpenStreetMap" or an '
+                "https address with {z}, {x} and {y}"
+            ) from None
+        if provider.requires_token():
+            raise ScenarioError(
+                f"tiles {tiles!r}: needs a key; give its https address with {{z}}, {{x}}, {{y}}"
+            )
+        url = provider.build_url(x="{x}", y="{y}", z="{z}", scale_factor="")
+        credit = re.sub(r"^\(C\)", "\u00a9", provider["attribution"])
+        zoom = int(provider.get("max_zoom", 19))
+    host = urlsplit(url).netloc
+    wanted = host.replace("{s}", "*")
+    if not re.fullmatch(r"(\*\.)?[A-Za-z0-9.-]+(:\d+)?", wanted):
+        raise ScenarioError(f"tiles {tiles!r}: host {host!r} is not a plain host name")
+    return {"url": url, "credit": credit, "max_zoom": zoom, "origin": f"https://{wanted}"}

@@ -1,0 +1,101 @@
+"""Finding room for texts on a drawing: boxes go where they cover least of what is there."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+__all__ = ["Box", "Cover", "text_width"]
+
+CELL = 5.0
+SOLID = 1_000
+"""Weight of what must not be covered at all: marks and texts."""
+
+LINE = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangle in pixels, y downwards."""
+
+    left: float
+    top: float
+    width: float
+    height: float
+
+    @property
+    def right(self) -> float:
+        """Its right edge."""
+        return self.left + self.width
+
+    @property
+    def bottom(self) -> float:
+        """Its lower edge."""
+        return self.top + self.height
+
+
+class Cover:
+    """What of a drawing is taken, on a grid of cells of `CELL` pixels."""
+
+    def __init__(self, width: float, height: float) -> None:
+        self.width = width
+        self.height = height
+        self._weight: dict[tuple[int, int], int] = defaultdict(int)
+
+    def add_line(self, points: Sequence[tuple[float, float]], weight: int = LINE) -> None:
+        """Mark the cells that a line passes."""
+        for (x0, y0), (x1, y1) in pairwise(points):
+            steps = max(1, math.ceil(math.hypot(x1 - x0, y1 - y0) / CELL))
+            for step in range(steps + 1):
+                share = step / steps
+                cell = self._cell(x0 + (x1 - x0) * share, y0 + (y1 - y0) * share)
+                self._weight[cell] = max(self._weight[cell], weight)
+
+    def add_box(self, box: Box) -> None:
+        """Mark a box as taken by a mark or text."""
+        for cell in self._cells(box):
+            self._weight[cell] += SOLID
+
+    def cost(self, box: Box) -> float:
+        """Return how much a box would cover; infinite outside the drawing."""
+        if box.left < 0 or box.top < 0 or box.right > self.width or box.bottom > self.height:
+            return math.inf
+        return float(sum(self._weight.get(cell, 0) for cell in self._cells(box)))
+
+    def place(self, candidates: Iterable[tuple[Box, float]], most: float) -> Box | None:
+        """Take the candidate of least cost, its own cost added; None if all cost `most` or more."""
+        best: Box | None = None
+        least = most
+        for box, own in candidates:
+            cost = self.cost(box) + own
+            if cost < least:
+                best, least = box, cost
+        if best is not None:
+            self.add_box(best)
+        return best
+
+    @staticmethod
+    def _cell(x: float, y: float) -> tuple[int, int]:
+        return int(x // CELL), int(y // CELL)
+
+    def _cells(self, box: Box) -> Iterable[tuple[int, int]]:
+        left, top = self._cell(box.left, box.top)
+        right, bottom = self._cell(box.right, box.bottom)
+        return ((x, y) for x in range(left, right + 1) for y in range(top, bottom + 1))
+
+
+def text_width(text: str, size: float, bold: bool = False) -> float:
+    """Return about how wide a text is in a common sans-serif face, in pixels; rather too wide."""
+    return sum(map(_em, text)) * size * (1.17 if bold else 1.0)
+
+
+def _em(character: str) -> float:
+    if character in "iljtfrI.,:;'|! ":
+        return 0.38
+    if character in "mwMW@%":
+        return 0.9
+    # Ideographs and most emoji stand in a square.
+    return 0.63 if ord(character) < 0x2E80 else 1.05

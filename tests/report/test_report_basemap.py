@@ -1,0 +1,114 @@
+"""Lines: encoded and decoded, simplified, each road once."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.report.basemap import basemap_lines, encoded_basemap, encoded_route
+from platoon_osm.report.leaflet import load_leaflet
+from platoon_osm.report.placement import SOLID, Box, Cover
+from platoon_osm.report.polyline import decode_polyline, encode_polyline
+from platoon_osm.report.shown_text import shown
+from platoon_osm.report.static_map import shifted
+
+COORDINATE = st.tuples(st.floats(-180, 180), st.floats(-85, 85))
+
+
+@given(st.lists(COORDINATE, min_size=2, max_size=40))
+def test_polyline_round_trip(points: list[tuple[float, float]]) -> None:
+    back = np.array(decode_polyline(encode_polyline(points, 10_000), 10_000))
+    rounded = np.rint(np.array(points) * 10_000)
+    kept = [rounded[0], *(b for a, b in pairwise(rounded) if (a != b).any())]
+    if len(kept) < 2:
+        kept = [rounded[0], rounded[1]]
+    np.testing.assert_array_equal(np.rint(back * 10_000), kept)
+
+
+def test_polyline_of_the_published_example() -> None:
+    points = [(-120.2, 38.5), (-120.95, 40.7), (-126.453, 43.252)]
+    assert encode_polyline(points, 100_000) == "_p~iF~ps|U_ulLnnqC_mqNvxq`@"
+
+
+def test_roads_there_and_back_are_drawn_once(net: RoadNetwork) -> None:
+    from platoon_osm.network.road_network import shape_lengths_m
+
+    lines = basemap_lines(net, np.arange(net.m), 0.0)
+    first = np.concatenate([[0], np.cumsum([len(line) for line in lines])])
+    flat = np.vstack(lines)
+    drawn = shape_lengths_m(first, flat[:, 0], flat[:, 1]).sum()
+    assert drawn == pytest.approx(net.length_m.sum() / 2, rel=1e-6)
+
+
+def test_parallel_roads_of_other_shape_stay_apart() -> None:
+    net = RoadNetwork.from_edges(
+        [0, 0], [1, 1], lon=[9.0, 9.1], lat=[45.0, 45.0], shape_first=[0, 3, 6],
+        shape_lon=[9.0, 9.05, 9.1, 9.0, 9.05, 9.1],
+        shape_lat=[45.0, 45.02, 45.0, 45.0, 44.98, 45.0],
+    )  # fmt: skip
+    drawn = np.vstack(basemap_lines(net, np.arange(2), 20.0))
+    assert {45.02, 44.98} <= set(np.round(drawn[:, 1], 6))
+
+
+def test_simplified_lines_keep_to_the_road(net: RoadNetwork) -> None:
+    import shapely
+
+    scale = np.array([78_000, 111_000])
+    exact = shapely.union_all(
+        [shapely.linestrings(line * scale) for line in basemap_lines(net, np.arange(net.m), 0.0)]
+    )
+    for line in basemap_lines(net, np.arange(net.m), 20.0):
+        ends = shapely.points(line * scale)
+        assert shapely.distance(ends, exact).max() < 1e-6
+
+
+def test_no_lines_of_nothing(net: RoadNetwork) -> None:
+    assert encoded_route(net, ()) == ""
+    assert encoded_basemap(net)["known"]
+    assert basemap_lines(net, np.zeros(0, np.int64), 20.0) == []
+
+
+def test_a_line_moves_to_its_right() -> None:
+    # y grows downwards: right of a line to the east is south, so a larger y.
+    assert shifted([(0, 0), (10, 0), (10, 0), (20, 0)], 3) == [(0, 3), (10, 3), (20, 3)]
+    corner = shifted([(0, 0), (10, 0), (10, 10)], 2)
+    assert corner[1] == pytest.approx((8, 2))
+    assert shifted([(5, 5), (5, 5)], 2) == [(5, 5), (5, 5)]
+
+
+def test_a_box_goes_where_it_covers_least() -> None:
+    cover = Cover(100, 100)
+    cover.add_line([(0, 20), (100, 20)])
+    on, off = Box(10, 15, 20, 10), Box(10, 40, 20, 10)
+    assert cover.place([(on, 0.0), (off, 0.0)], SOLID) == off
+    assert cover.place([(off, 0.0)], SOLID) is None
+    assert cover.place([(Box(90, 90, 20, 20), 0.0)], SOLID) is None
+
+
+def test_shown_text_keeps_names_and_drops_what_moves_them() -> None:
+    assert shown("Città di Castello") == "Città di Castello"
+    assert shown("a\x00b\u202ec") == "a\ufffdb\ufffdc"
+    assert shown(" a\n\tb ") == "a b"
+    assert shown("\ud800") == "\ufffd"
+    assert len(shown("e" + "\u0301" * 50)) == 5
+
+
+@given(st.text())
+def test_shown_text_is_stable_and_can_be_encoded(text: str) -> None:
+    once = shown(text)
+    assert shown(once) == once
+    assert not set(once) & set("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\x00\n")
+    once.encode()
+
+
+def test_leaflet_is_whole() -> None:
+    leaflet = load_leaflet()
+    assert "Leaflet 1.9.3" in leaflet.script
+    assert "sourceMappingURL" not in leaflet.script
+    assert "images/" not in leaflet.style
+    assert "</" not in leaflet.style

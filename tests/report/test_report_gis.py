@@ -1,0 +1,81 @@
+"""GIS files, opened again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import geopandas
+import pyogrio
+import pytest
+from hostile_names import HOSTILE
+from po_valley import THREE, make_plan, po_valley
+
+from platoon_osm.errors import ScenarioError
+from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.planning.plans import JointPlan
+from platoon_osm.report import to_geodataframe, write_geopackage
+
+
+def test_legs_as_a_frame(plan: JointPlan, net: RoadNetwork) -> None:
+    frame = to_geodataframe(plan, net)
+    assert frame.crs == "EPSG:4326"
+    assert len(frame) == sum(len(vehicle.legs) for vehicle in plan.vehicles)
+    by_vehicle = frame.groupby("vehicle")["cost"].sum()
+    for vehicle in plan.vehicles:
+        assert by_vehicle[vehicle.vehicle] == pytest.approx(vehicle.joint_cost)
+    assert frame["attribution"].str.contains("OpenStreetMap").all()
+
+
+def test_geopackage_opens_again(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
+    path = tmp_path / "plan.gpkg"
+    write_geopackage(plan, net, path)
+    assert {name for name, _ in pyogrio.list_layers(path)} == {
+        "routes", "platoons", "points", "network", "about",
+    }  # fmt: skip
+    routes = geopandas.read_file(path, layer="routes")
+    assert routes.crs == "EPSG:4326"
+    assert list(routes.columns) == list(to_geodataframe(plan, net).columns)
+    points = geopandas.read_file(path, layer="points")
+    assert sorted(points["kind"].value_counts().items()) == [
+        ("destination", 3), ("merge", 2), ("separation", 2), ("start", 3),
+    ]  # fmt: skip
+    network = geopandas.read_file(path, layer="network")
+    assert len(network) == net.m
+    assert network["length_m"].sum() == pytest.approx(net.length_m.sum())
+    assert list(geopandas.read_file(path, layer="platoons")["size"]) == [2, 3, 2]
+    about = pyogrio.read_dataframe(path, layer="about").set_index("item")["text"]
+    assert "OpenStreetMap contributors" in about["attribution"]
+    assert about["parameter xi"] == "0.18"
+
+
+def test_geopackage_replaces_an_old_one(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
+    path = tmp_path / "plan.gpkg"
+    path.write_text("an older file")
+    write_geopackage(plan, net, path)
+    assert len(geopandas.read_file(path, layer="routes")) == 13
+    assert [item.name for item in tmp_path.iterdir()] == ["plan.gpkg"]
+
+
+def test_geopackage_without_platoons(net: RoadNetwork, tmp_path: Path) -> None:
+    plan = make_plan(net, [("A", "Torino", "Trieste", None, None)])
+    write_geopackage(plan, net, tmp_path / "alone.gpkg")
+    assert len(geopandas.read_file(tmp_path / "alone.gpkg", layer="platoons")) == 0
+
+
+def test_no_folder_is_said_in_one_line(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
+    with pytest.raises(ScenarioError, match="cannot write here") as caught:
+        write_geopackage(plan, net, tmp_path / "missing" / "plan.gpkg")
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("start", range(0, len(HOSTILE), 16))
+def test_hostile_names_are_kept(start: int, tmp_path: Path) -> None:
+    def spoiled(name: str) -> str:
+        return f"{name} {HOSTILE[(start + len(name)) % len(HOSTILE)]}"
+
+    net = po_valley(spoiled)
+    plan = make_plan(net, THREE, spoiled)
+    write_geopackage(plan, net, tmp_path / "plan.gpkg")
+    routes = geopandas.read_file(tmp_path / "plan.gpkg", layer="routes")
+    assert len(routes) == 13
+    assert routes["origin"].str.startswith(("Torino", "Genova", "Chiasso")).all()

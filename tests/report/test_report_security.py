@@ -1,0 +1,156 @@
+"""Hostile names in every field: nothing runs, in Python or in the browser, and all is shown."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hostile_names import HOSTILE
+from po_valley import THREE, make_plan, po_valley
+
+from platoon_osm.network.load_report import Source
+from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.planning.plans import JointPlan
+from platoon_osm.report import write_html
+from platoon_osm.report.fragments import fill
+from platoon_osm.report.page import json_for_html
+from platoon_osm.report.shown_text import fitted, shown
+
+
+def hostile_case(name: str) -> tuple[JointPlan, RoadNetwork]:
+    """A plan with one hostile name in every field that can carry text."""
+
+    def spoiled(text: str) -> str:
+        return f"{text} {name}"
+
+    net = po_valley(spoiled, Source(name, name, name, name, name))
+    plan = make_plan(
+        net, [*THREE, ("D", "Parma", "La Spezia", None, None)], spoiled,
+        case=name, asked=name, objective=name, method=name, version=name, remarks=(name,),
+        proof={"kind": name, "conditions": [name], name: name},
+    )  # fmt: skip
+    # The weights' preset stays readable, or the detour would not be known.
+    return replace(plan, params={**plan.params, name: name}), net
+
+
+def test_the_corpus_is_large() -> None:
+    assert len(set(HOSTILE)) == len(HOSTILE) >= 40
+
+
+@pytest.mark.parametrize("name", HOSTILE, ids=range(len(HOSTILE)))
+def test_markup_of_the_file_is_ours(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    plan, net = hostile_case(name)
+    harmless, plain = hostile_case("Name")
+    write_html(plan, net, tmp_path / "hostile.html", title=f"Title {name}")
+    write_html(harmless, plain, tmp_path / "plain.html", title="Title Name")
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["hostile.html", "plain.html"]
+    hostile = (tmp_path / "hostile.html").read_text()
+    # Elements and attributes are those of a page with a harmless name, whatever is in the name.
+    assert markup_of(hostile) <= markup_of((tmp_path / "plain.html").read_text())
+    assert len(re.findall("<script[ >]", hostile)) >= 3
+    assert "49" not in re.findall(r"<h1 [^>]*>(.*)</h1>", hostile)[0]
+    data = re.search(r'id="plan-data">(.*?)</script>', hostile, re.S)
+    assert data is not None
+    assert json.loads(data.group(1))["towns"][0][2].startswith("Milano")
+
+
+def markup_of(text: str) -> set[tuple[str, ...]]:
+    """The kinds of element in a page, each a tag with the names of its attributes."""
+    found: set[tuple[str, ...]] = set()
+
+    class Reader(HTMLParser):
+        def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+            found.add((tag, *(name for name, _ in attrs)))
+
+    reader = Reader()
+    reader.feed(text)
+    reader.close()
+    return found
+
+
+PAGES = 16
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("page_number", range(PAGES))
+def test_nothing_runs_in_the_browser(
+    page_number: int, visit: Callable[..., Any], tmp_path: Path
+) -> None:
+    """Each page holds all names, each in another field than on the page before."""
+    given: dict[str, str] = {}
+    start = page_number * len(HOSTILE) // PAGES
+
+    def spoiled(text: str) -> str:
+        return given.setdefault(text, f"{text} {HOSTILE[(start + len(given)) % len(HOSTILE)]}")
+
+    one = HOSTILE[start]
+    net = po_valley(spoiled, Source(one, one, one, one, one))
+    plan = make_plan(
+        net, [*THREE, ("D", "Parma", "La Spezia", None, None)], spoiled,
+        case=one, asked=one, objective=one, method=one, version=one,
+        remarks=tuple(HOSTILE), proof={"kind": one, "conditions": HOSTILE},
+    )  # fmt: skip
+    path = tmp_path / "hostile.html"
+    write_html(plan, net, path, title=f"Title {one}")
+    opened = visit(path, reduced_motion="reduce")
+    page = opened.page
+    assert page.locator("h1").text_content() == fitted(f"Title {one}")
+    assert page.locator(".remarks li").all_text_contents() == [fitted(name) for name in HOSTILE]
+    ends = page.locator(".costs tbody .ends bdi").all_text_contents()
+    assert ends == [
+        fitted(stop.name)
+        for vehicle in plan.vehicles
+        for stop in (vehicle.origin, vehicle.destination)
+    ]
+    # Point at things that carry names, so that tooltips are built too.
+    for mark in page.locator(".mark").all()[:4]:
+        mark.focus()
+    page.locator("path.route").first.focus()
+    # Close up, junctions show their names.
+    page.locator('button[data-event="0"]').click()
+    assert page.evaluate("map_plan.getZoom()") > 10
+    assert page.evaluate("window.hacked") is None
+    assert page.evaluate("document.documentElement.scrollWidth") <= 1440
+    assert page.locator("#panel").evaluate("e => e.scrollWidth <= e.clientWidth")
+    opened.check(path)
+
+
+@pytest.mark.browser
+def test_the_policy_itself_stops_a_script(
+    plan: JointPlan, net: RoadNetwork, visit: Callable[..., Any], tmp_path: Path
+) -> None:
+    """Were a name to become markup, the policy would still keep it from running."""
+    path = tmp_path / "plan.html"
+    write_html(plan, net, path)
+    text = path.read_text()
+    attack = "<script>window.hacked=1</script><img src=x onerror=window.hacked=1>"
+    path.write_text(text.replace("</h1>", f"</h1>{attack}"))
+    opened = visit(path)
+    assert opened.page.evaluate("window.hacked") is None
+    assert any("Content Security Policy" in line for line in opened.complaints)
+
+
+@pytest.mark.parametrize("name", HOSTILE, ids=range(len(HOSTILE)))
+def test_json_cannot_leave_its_element(name: str) -> None:
+    text = json_for_html({"name": shown(name)})
+    assert not set(text) & set("<>&\u2028\u2029")
+    assert json.loads(text) == {"name": shown(name)}
+
+
+def test_filled_values_are_escaped_and_read_once() -> None:
+    text = fill("item", text="$x <b> & \" '")
+    assert text == "<li><bdi>$x &lt;b&gt; &amp; &quot; &#x27;</bdi></li>"
+    # Filled fragments are not escaped again; plain strings always are.
+    assert fill("item", text=text).count("<li>") == 2
+    assert fill("item", text=str.__str__(text)).count("<li>") == 1
+    with pytest.raises(KeyError):
+        fill("item")
