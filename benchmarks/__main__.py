@@ -1,0 +1,5 @@
+"""Run all benchmarks: `python -m benchmarks`."""
+
+from . import california
+
+california.main()
