@@ -8,9 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..errors import MapDataError
+from ..errors import MapDataError, ScenarioError
 from ..network.load_report import Source
-from ..network.road_network import RoadNetwork
+from ..network.road_network import ROAD_CLASSES, RoadNetwork
 from ..network.store import MAGIC, open_network
 from .catalog import BUNDLED_MAPS, bundled_path
 from .osm import MOTORWAY_CLASSES, read_osm
@@ -52,6 +52,11 @@ def load_network(
     ScenarioError
         The country is unknown or the limiter out of range.
     """
+    is_list = isinstance(classes, Sequence) and not isinstance(classes, str)
+    if not is_list or not all(isinstance(item, str) for item in classes):
+        raise ScenarioError(
+            f'classes = {classes!r} must be a list of highway values, as ["motorway", "trunk"]'
+        )
     net = _read(source, tuple(classes), country, limiter_kmh)
     if infer_links and not net.inferred.any():
         from ..network.inferred_links import infer_links as add_links
@@ -82,6 +87,8 @@ def _read(
             ),
         )  # fmt: skip
     path = Path(source)
+    if path.is_dir():
+        raise MapDataError(f"{path}: is a folder; give a file in it, or a name from `maps`")
     if not path.is_file():
         names = ", ".join(item.name for item in BUNDLED_MAPS)
         raise MapDataError(f"{path}: no such file, and no bundled map of that name ({names})")
@@ -116,9 +123,18 @@ def _with_connection_remark(net: RoadNetwork) -> RoadNetwork:
     ends = int((net.first_out[1:] == net.first_out[:-1]).sum())
     remark = (
         f"only {inside:.0%} of the carriageway-km hang together; {ends} carriageways end without "
-        "going on: the extract seems cut to motorways without their ramps. Load one with "
-        "motorway_link, or add likely connectors with infer_links=True (--infer-links)"
+        "going on: "
     )
+    if (net.road_class == ROAD_CLASSES.index("motorway_link")).any():
+        remark += (
+            "the extract is a small piece of the network. Load a larger one, or more classes of "
+            "road (classes=, --classes)"
+        )
+    else:
+        remark += (
+            "the extract seems cut to motorways without their ramps. Load one with "
+            "motorway_link, or add likely connectors with infer_links=True (--infer-links)"
+        )
     if remark in net.load_report.remarks:
         return net
     return net.with_report(

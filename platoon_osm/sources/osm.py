@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +25,7 @@ __all__ = ["MOTORWAY_CLASSES", "read_osm"]
 MOTORWAY_CLASSES = ("motorway", "motorway_link")
 NAME_TAGS = frozenset({"ref", "name", "destination"})
 PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population"})
-NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, ())
+NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0)
 
 
 def read_osm(
@@ -48,7 +49,7 @@ def read_osm(
     raw = read_raw(file, classes)
     ways = _interpret(raw, set(classes), rules or TruckRules())
     if not ways.kept.any():
-        found = "its ways are closed to trucks" if ways.matching else "it has no such way"
+        found = "its ways are closed to trucks" if ways.road.any() else "it has no such way"
         raise MapDataError(
             f"{file}: no road of class {', '.join(classes)} for trucks ({found}); "
             "load other classes or another area"
@@ -56,82 +57,104 @@ def read_osm(
     net = _network(file, raw, ways)
     count = net.load_report.counts
     if not net.m:
+        first = raw.way_id[np.argmax(ways.kept)]
         raise MapDataError(
-            f"{file}: none of {count['ways kept']} ways has two nodes with coordinates; extract "
-            "the area again with complete ways"
+            f"{file}: none of {count['ways kept']} ways (first: way {first}) has two nodes with "
+            "coordinates; extract the area again with complete ways, nodes before ways"
         )
     return net
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Ways:
-    """What the tags of each way mean, (w,) each."""
+    """What the tags of each way mean, (w,) each; `ref` and `name` are codes in `texts`.
 
+    A way that is no road of the wanted classes, such as a service area, is not `road`.
+    """
+
+    road: NDArray[np.bool_]
     kept: NDArray[np.bool_]
     direction: NDArray[np.int8]
     speed_mps: NDArray[np.float64]
+    backward_mps: NDArray[np.float64]
     road_class: NDArray[np.uint8]
     toll: NDArray[np.bool_]
-    ref: tuple[str, ...]
-    name: tuple[str, ...]
-    matching: int
+    ref: NDArray[np.int64]
+    name: NDArray[np.int64]
+    texts: tuple[str, ...]
     counts: dict[str, int]
 
 
 def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
-    """Read each distinct set of tags once, and count what had to be assumed by ways."""
+    """Read each distinct set of tags once, and count what had to be assumed by ways.
+
+    Ways share tags, tags share readings and names: each level is a table, and ways are looked up
+    in it by number, for that is what keeps loading near the speed of the file itself.
+    """
     read_tags = TagReader(lambda key: key in NAME_TAGS or is_driving_tag(key))
-    readings: dict[tuple[tuple[str, str], ...], WayReading] = {}
-    known: dict[str, tuple[WayReading | None, int, str, str]] = {}
-    rows = []
-    for text in raw.way_tags:
-        row = known.get(text)
-        if row is None:
-            tags = read_tags(text)
-            ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
-            name = tags.pop("name", destination)
-            highway = tags.get("highway", "")
-            reading = None
-            if highway in classes:
-                key = tuple(tags.items())
-                reading = readings.get(key) or readings.setdefault(key, read_way(tags, rules))
-            row = known[text] = (reading, _class_code(highway), ref, name)
-        rows.append(row)
-    return _ways(rows)
+    readings: list[WayReading] = [NOT_A_ROAD]
+    known: dict[tuple[tuple[str, str], ...], int] = {}
+    names: dict[str, int] = {"": 0}
+    sets: dict[str, int] = {}
+    way_set = np.fromiter(
+        (sets.setdefault(text, len(sets)) for text in raw.way_tags), np.int64, len(raw.way_tags)
+    )
+    rows = np.zeros((len(sets), 4), np.int64)
+    for number, text in enumerate(sets):
+        tags = read_tags(text)
+        ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
+        name = tags.pop("name", destination)
+        highway = tags.get("highway", "")
+        if highway not in classes:
+            continue
+        key = tuple(tags.items())
+        reading = known.get(key)
+        if reading is None:
+            reading = known[key] = len(readings)
+            readings.append(read_way(tags, rules))
+        rows[number] = (
+            reading, _class_code(highway),
+            names.setdefault(ref, len(names)), names.setdefault(name, len(names)),
+        )  # fmt: skip
+    reading_of, road_class, ref_of, name_of = rows[way_set].T
+
+    def looked_up(values: list[Any], dtype: type) -> NDArray[Any]:
+        by_way: NDArray[Any] = np.array(values, dtype)[reading_of]
+        return by_way
+
+    kept = looked_up([reading.allowed for reading in readings], bool)
+    return _Ways(
+        road=reading_of > 0,
+        kept=kept,
+        direction=looked_up([reading.direction for reading in readings], np.int8),
+        speed_mps=looked_up([reading.speed_kmh for reading in readings], np.float64) / 3.6,
+        backward_mps=looked_up([reading.backward_kmh for reading in readings], np.float64) / 3.6,
+        road_class=road_class.astype(np.uint8),
+        toll=looked_up([reading.toll for reading in readings], bool),
+        ref=ref_of,
+        name=name_of,
+        texts=tuple(names),
+        counts=_counts(readings, np.bincount(reading_of, minlength=len(readings)).tolist()),
+    )
 
 
 def _class_code(highway: str) -> int:
     return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
 
 
-def _ways(rows: list[tuple[WayReading | None, int, str, str]]) -> _Ways:
-    # Services and rest areas that are ways have no reading: they become points, not roads.
-    readings = [row[0] or NOT_A_ROAD for row in rows]
-    kept = np.fromiter((reading.allowed for reading in readings), bool, len(rows))
+def _counts(readings: list[WayReading], ways: list[int]) -> dict[str, int]:
+    """Count by ways what was read, dropped and assumed."""
     counts: Counter[str] = Counter()
-    for reading, number in Counter(readings).items():
-        if reading is NOT_A_ROAD:
-            continue
-        counts["ways of these classes"] += number
-        if reading.allowed:
-            for remark in reading.remarks:
-                counts[remark] += number
-        else:
+    kept = 0
+    for reading, number in zip(readings[1:], ways[1:], strict=True):
+        if not reading.allowed:
             counts["ways dropped: closed to trucks"] += number
-    matching = counts.pop("ways of these classes", 0)
-    first = {"ways of these classes": matching, "ways kept": int(kept.sum())}
-    size = len(rows)
-    return _Ways(
-        kept=kept,
-        direction=np.fromiter((r.direction for r in readings), np.int8, size),
-        speed_mps=np.fromiter((r.speed_kmh for r in readings), np.float64, size) / 3.6,
-        road_class=np.fromiter((row[1] for row in rows), np.uint8, size),
-        toll=np.fromiter((r.toll for r in readings), bool, size),
-        ref=tuple(row[2] for row in rows),
-        name=tuple(row[3] for row in rows),
-        matching=matching,
-        counts=first | dict(sorted(counts.items())),
-    )
+            continue
+        kept += number
+        for remark in reading.remarks:
+            counts[remark] += number
+    first = {"ways of these classes": sum(ways[1:]), "ways kept": kept}
+    return first | dict(sorted(counts.items()))
 
 
 def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
@@ -157,26 +180,27 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     tails = np.concatenate([tail[forward], head[backward]])
     heads = np.concatenate([head[forward], tail[backward]])
     source_way = np.concatenate([of[forward], of[backward]])
+    speed_mps = np.concatenate([ways.speed_mps[of[forward]], ways.backward_mps[of[backward]]])
 
-    junctions, points = _named_nodes(raw, ids)
+    junctions, points = _named_nodes(raw, ids, np.flatnonzero(~ways.road))
     texts, codes = encode_texts(
-        ways.ref, ways.name, [row[1] for row in junctions], [row[2] for row in junctions],
+        ways.texts, [row[1] for row in junctions], [row[2] for row in junctions],
         [row[3] for row in points],
     )  # fmt: skip
     position = [row[0] for row in junctions]
     node_name, node_ref = np.zeros(len(ids), np.int32), np.zeros(len(ids), np.int32)
-    node_name[position], node_ref[position] = codes[2], codes[3]
+    node_name[position], node_ref[position] = codes[1], codes[2]
     keep = np.zeros(len(ids), bool)
     keep[position] = [row[3] for row in junctions]
     report = LoadReport(counts)
     try:
         net = RoadNetwork.from_edges(
             tails, heads,
-            lon=raw.lon[at], lat=raw.lat[at], speed_mps=ways.speed_mps[source_way],
+            lon=raw.lon[at], lat=raw.lat[at], speed_mps=speed_mps,
             node_id=ids, node_name=node_name, node_ref=node_ref,
-            road_class=ways.road_class[source_way], ref=codes[0][source_way],
-            name=codes[1][source_way], toll=ways.toll[source_way],
-            way_id=raw.way_id[source_way], texts=texts, points=_points(points, codes[4]),
+            road_class=ways.road_class[source_way], ref=codes[0][ways.ref[source_way]],
+            name=codes[0][ways.name[source_way]], toll=ways.toll[source_way],
+            way_id=raw.way_id[source_way], texts=texts, points=_points(points, codes[3]),
             source=raw.source, report=report,
         )  # fmt: skip
     except NetworkError as error:
@@ -192,9 +216,12 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
 
 
 def _named_nodes(
-    raw: RawMap, ids: NDArray[np.int64]
+    raw: RawMap, ids: NDArray[np.int64], areas: NDArray[np.int64]
 ) -> tuple[list[tuple[int, str, str, bool]], list[tuple[float, float, int, str, int]]]:
-    """Sort tagged nodes into junctions on the roads, and places beside them."""
+    """Sort tagged nodes into junctions on the roads, and places beside them.
+
+    `areas` are the ways that are no roads: service and rest areas.
+    """
     junctions, points = [], []
     read_tags = TagReader(PLACE_TAGS.__contains__)
     wanted = np.array([row[0] for row in raw.nodes], np.int64)
@@ -204,22 +231,22 @@ def _named_nodes(
         name = tags.get("name", "")
         kind = tags.get("highway") or tags.get("place") or ""
         if kind in POINT_KINDS:
+            if np.isnan(lon):
+                continue
             points.append((lon, lat, POINT_KINDS.index(kind), name, _whole(tags, "population")))
         elif at < len(ids) and ids[at] == node:
             is_junction = kind == "motorway_junction"
             junctions.append((at, name, tags.get("ref", "") if is_junction else "", is_junction))
-    for way in np.flatnonzero([_is_service_area(text) for text in raw.way_tags]).tolist():
+    for way in areas.tolist():
         tags = read_tags(raw.way_tags[way])
+        if tags.get("highway") not in POINT_KINDS:
+            continue
         part = slice(raw.first[way], raw.first[way + 1])
         if np.isfinite(raw.lon[part]).any():
             centre = float(np.nanmean(raw.lon[part])), float(np.nanmean(raw.lat[part]))
             code = POINT_KINDS.index(tags["highway"])
             points.append((*centre, code, tags.get("name", ""), 0))
     return junctions, points
-
-
-def _is_service_area(text: str) -> bool:
-    return "highway=services" in text or "highway=rest_area" in text
 
 
 def _whole(tags: dict[str, str], key: str) -> int:

@@ -1,7 +1,7 @@
 """Roads and places of an OSM file, filtered and decoded in C++, before anyone interprets them.
 
-libosmium filters the file and writes what is left as OPL, its line format, with the coordinates of
-nodes on the ways; numpy then reads all node lists in one go. That is faster than touching each
+libosmium filters the file, writes what is left as OPL, its line format, and gives the coordinates
+each way in one piece; numpy then reads all node lists in one go. That is faster than touching each
 node and tag from Python, and no Python runs for objects that are not roads or named places.
 """
 
@@ -13,6 +13,7 @@ import tempfile
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import nan
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,15 @@ NODE_TAGS = (
     ("highway", "motorway_junction"), ("highway", "services"), ("highway", "rest_area"),
     ("place", "city"), ("place", "town"), ("barrier", "toll_booth"),
 )  # fmt: skip
+
+UNDEFINED_COORDINATE = 2**31 - 1
+"""What libosmium stores where a file has no coordinate."""
+
+CUT_SHORT = ("EOF", "read close", "truncated", "Unexpected end", "zlib", "bzip2")
+"""What libosmium and its readers say of files that end too early."""
+
+WKB_HEADER = 18
+"""Hex digits of a WKB line before its points: byte order, type and number of points."""
 
 ESCAPE = re.compile(r"%([0-9a-f]{1,6})%")
 
@@ -68,7 +78,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     tags = [("highway", name) for name in classes]
     with tempfile.TemporaryDirectory(prefix="platoon-osm-") as folder:
         opl = Path(folder) / "roads.opl"
-        extracted = _filter_to_opl(path, tags, opl)
+        extracted, coordinates = _filter_to_opl(path, tags, opl)
         ways, nodes = _split_lines(opl)
     source = Source(
         name=path.name,
@@ -81,16 +91,15 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     count = np.fromiter((part.count("n") for part in lists), np.int64, len(lists))
     first = np.zeros(len(ways) + 1, np.int64)
     np.cumsum(count, out=first[1:])
-    values = _numbers(lists)
     return RawMap(
         source=source,
         way_id=np.fromiter((int(line[0][1:]) for line in ways), np.int64, len(ways)),
         way_tags=tuple(line[1][1:] for line in ways),
         first=first,
-        ref=values[0::3].astype(np.int64),
-        lon=values[1::3],
-        lat=values[2::3],
-        nodes=tuple(_node(line) for line in nodes),
+        ref=_node_ids(lists),
+        lon=coordinates[:, 0].copy(),
+        lat=coordinates[:, 1].copy(),
+        nodes=tuple(_node(path, line) for line in nodes),
     )
 
 
@@ -129,21 +138,64 @@ def _unescape(text: str) -> str:
     return ESCAPE.sub(lambda found: chr(int(found.group(1), 16)), text)
 
 
-def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> str:
-    """Write the wanted objects as OPL and return when the data was extracted."""
+class _Collector:
+    """Takes wanted objects from libosmium: tags and node ids as OPL, coordinates as they are.
+
+    Both are written in C++; only the rare way whose nodes the file lacks is looked at in Python.
+    """
+
+    def __init__(self, writer: Any) -> None:
+        import osmium
+
+        self.node = writer.add_node
+        self._add_way = writer.add_way
+        self._line = osmium.geom.WKBFactory().create_linestring
+        self._all = osmium.geom.ALL
+        self._unfit: tuple[type[Exception], ...] = (osmium.InvalidLocationError, RuntimeError)
+        self.shapes: list[str] = []
+
+    def way(self, way: Any) -> None:
+        self._add_way(way)
+        try:
+            self.shapes.append(self._line(way, self._all)[WKB_HEADER:])
+        except self._unfit:
+            if any(_off_the_globe(node.location) for node in way.nodes):
+                raise
+            points = [
+                (node.location.lon, node.location.lat) if node.location.valid() else (nan, nan)
+                for node in way.nodes
+            ]
+            self.shapes.append(np.array(points, "<f8").tobytes().hex())
+
+    def coordinates(self) -> NDArray[np.float64]:
+        """Return longitude and latitude (k, 2) of all nodes of all ways."""
+        return np.frombuffer(bytes.fromhex("".join(self.shapes)), "<f8").reshape(-1, 2)
+
+
+def _off_the_globe(location: Any) -> bool:
+    """Tell a place that is none on earth from one that is merely not known."""
+    return location.x != UNDEFINED_COORDINATE and not location.valid()
+
+
+def _filter_to_opl(
+    path: Path, tags: list[tuple[str, str]], opl: Path
+) -> tuple[str, NDArray[np.float64]]:
+    """Write the wanted objects as OPL; return when the data was extracted, and coordinates."""
     import osmium
 
-    form = osmium.io.File(str(opl), "opl,locations_on_ways=true,add_metadata=false")
-    writer = osmium.SimpleWriter(form)
     try:
-        objects = (
-            osmium.FileProcessor(str(path), osmium.osm.NODE | osmium.osm.WAY)
-            .with_locations()
-            .with_filter(osmium.filter.TagFilter(*tags, *NODE_TAGS))
-        )
-        for item in objects:
-            writer.add(item)
-        header: str = objects.header.get("timestamp")
+        writer = osmium.SimpleWriter(osmium.io.File(str(opl), "opl,add_metadata=false"))
+        # The writer is called object by object and not handed to apply() itself: after a read
+        # error that would end the process.
+        collector = _Collector(writer)
+        with osmium.io.Reader(str(path), osmium.osm.NODE | osmium.osm.WAY) as reader:
+            locations = osmium.NodeLocationsForWays(osmium.index.create_map("flex_mem"))
+            locations.ignore_errors()
+            wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS)
+            osmium.apply(reader, locations, wanted, collector)
+            header: str = reader.header().get("timestamp")
+        # Writing happens in another thread; what goes wrong there may show only on closing.
+        writer.close()
     except osmium.InvalidLocationError as error:
         raise MapDataError(
             f"{path}: {_bad_node(path)} has coordinates that are no place on earth ({error}); "
@@ -151,9 +203,7 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> str:
         ) from error
     except (RuntimeError, ValueError) as error:
         raise MapDataError(f"{path}: {_why(str(error))}") from error
-    finally:
-        writer.close()
-    return header
+    return header, collector.coordinates()
 
 
 def _why(message: str) -> str:
@@ -161,13 +211,30 @@ def _why(message: str) -> str:
     said = " ".join(message.split())
     if "file format" in said:
         return "not an OSM file by its name; use .osm.pbf, .osm, .osm.gz or .osm.bz2"
-    if any(word in said for word in ("EOF", "read close", "truncated", "Unexpected end", "zlib")):
+    if any(word in said for word in CUT_SHORT):
         return f"the file is cut short or damaged ({said}); download it again"
     return f"not a readable OSM file ({said}); download the extract again"
 
 
 def _bad_node(path: Path) -> str:
-    """Name the first node off the globe in an XML file, for the error message only."""
+    """Name the first node off the globe, for the error message only."""
+    import osmium
+
+    last = 0
+    nodes: Any = osmium.FileProcessor(str(path), osmium.osm.NODE)
+    try:
+        for node in nodes:
+            if _off_the_globe(node.location):
+                return f"node {node.id}"
+            last = node.id
+    except (osmium.InvalidLocationError, RuntimeError):
+        # The reader itself stumbles over a coordinate that is no number.
+        return _bad_xml_node(path) or (f"the node after node {last}" if last else "a node")
+    return "a node"
+
+
+def _bad_xml_node(path: Path) -> str:
+    """Name the first node of an XML file whose coordinates are no numbers within the globe."""
     import bz2
     import gzip
 
@@ -177,14 +244,14 @@ def _bad_node(path: Path) -> str:
             for _, item in ElementTree.iterparse(handle, events=("start",)):
                 if item.tag == "node":
                     try:
-                        lon, lat = float(item.get("lon", "nan")), float(item.get("lat", "nan"))
+                        lon, lat = float(item.get("lon", "0")), float(item.get("lat", "0"))
                     except ValueError:
                         return f"node {item.get('id')}"
                     if not (abs(lon) <= 180 and abs(lat) <= 90):
                         return f"node {item.get('id')}"
     except (OSError, ElementTree.ParseError):
         pass
-    return "a node"
+    return ""
 
 
 def _split_lines(opl: Path) -> tuple[list[list[str]], list[list[str]]]:
@@ -196,20 +263,21 @@ def _split_lines(opl: Path) -> tuple[list[list[str]], list[list[str]]]:
     return ways, nodes
 
 
-def _numbers(lists: list[str]) -> NDArray[np.float64]:
-    """Read "Nn1x7.5y45.1,n2x..." of all ways at once: id, lon, lat, id, lon, lat, ..."""
+def _node_ids(lists: list[str]) -> NDArray[np.int64]:
+    """Read "Nn1,n2,n3" of all ways at once."""
     text = ",".join(part[1:] for part in lists if "n" in part)
-    if "xy" in text:
-        text = text.replace("xy", "xnanynan")
-    table = str.maketrans("xy", ",,", "N\n")
-    # After the translation only the n of node ids is left to remove, but not that of nan.
-    text = text.translate(table).replace("nan", "?").replace("n", "").replace("?", "nan")
-    return np.fromstring(text, np.float64, sep=",") if text else np.zeros(0)
+    data = text.encode("ascii").translate(None, delete=b"n\n")
+    return np.fromstring(data, np.int64, sep=",") if data else np.zeros(0, np.int64)
 
 
-def _node(line: list[str]) -> tuple[int, str, float, float]:
-    lon, lat = line[2][1:].rstrip("\n"), line[3][1:].rstrip("\n")
-    return int(line[0][1:]), line[1][1:], float(lon or "nan"), float(lat or "nan")
+def _node(path: Path, line: list[str]) -> tuple[int, str, float, float]:
+    lon, lat = (float(part[1:].rstrip("\n") or "nan") for part in line[2:4])
+    if abs(lon) > 180 or abs(lat) > 90:
+        raise MapDataError(
+            f"{path}: node {line[0][1:]} has coordinates that are no place on earth (lon {lon}, "
+            f"lat {lat}); correct or remove it"
+        )
+    return int(line[0][1:]), line[1][1:], lon, lat
 
 
 def _sha256(path: Path) -> str:

@@ -58,12 +58,13 @@ class TruckRules:
     limiter_kmh: float = 90.0
 
     def __post_init__(self) -> None:
-        if self.country is not None and self.country not in COUNTRY_LIMITS_KMH:
+        if self.country is not None and str(self.country) not in COUNTRY_LIMITS_KMH:
             known = ", ".join(sorted(COUNTRY_LIMITS_KMH))
             raise ScenarioError(f"country {self.country!r} has no truck limit here; use {known}")
-        if not SLOWEST_KMH <= self.limiter_kmh <= FASTEST_KMH:
+        is_number = isinstance(self.limiter_kmh, int | float)
+        if not (is_number and SLOWEST_KMH <= self.limiter_kmh <= FASTEST_KMH):
             raise ScenarioError(
-                f"limiter_kmh {self.limiter_kmh}: a speed limiter lies between "
+                f"limiter_kmh {self.limiter_kmh!r}: a speed limiter lies between "
                 f"{SLOWEST_KMH:g} and {FASTEST_KMH:g} km/h"
             )
 
@@ -85,6 +86,7 @@ class WayReading:
     speed_kmh : speed of a lone truck.
     toll : whether the road costs toll for trucks.
     remarks : what had to be defaulted, capped or ignored; counted by the loader.
+    backward_kmh : speed against the way; that of `speed_kmh` on a one-way road.
     """
 
     direction: int
@@ -92,6 +94,7 @@ class WayReading:
     speed_kmh: float
     toll: bool
     remarks: tuple[str, ...]
+    backward_kmh: float = 0.0
 
 
 def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
@@ -99,11 +102,17 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
     remarks: list[str] = []
     direction = _direction(tags, remarks)
     allowed = _allowed(tags)
-    speed = _speed_kmh(tags, direction, rules, remarks)
-    toll = tags.get("toll:hgv", tags.get("toll:N3", tags.get("toll", "no"))) not in NO
+    speed = backward = _speed_kmh(tags, direction, rules, remarks)
+    if direction == BOTH:
+        noted: list[str] = []
+        backward = _speed_kmh(tags, BACKWARD, rules, noted)
+        # A remark counts once for a way, whichever direction it is about.
+        remarks += [remark for remark in noted if remark not in remarks]
+    toll = tags.get("toll:hgv", tags.get("toll:N3", tags.get("toll", "no")))
+    costs_toll = toll.strip().lower() not in NO
     conditional = sum(1 for key in tags if key.endswith(":conditional"))
     remarks += ["conditional tags ignored"] * conditional
-    return WayReading(direction, allowed, speed, toll, tuple(remarks))
+    return WayReading(direction, allowed, speed, costs_toll, tuple(remarks), backward)
 
 
 DRIVING_TAGS = frozenset(
@@ -125,10 +134,13 @@ def _direction(tags: Mapping[str, str], remarks: list[str]) -> int:
         return BACKWARD
     if value in {"no", "false", "0"}:
         return BOTH
+    if value:
+        remarks.append("oneway not understood")
     if tags.get("junction") in {"roundabout", "circular"}:
         return FORWARD
     if tags.get("highway") in {"motorway", "motorway_link"}:
-        remarks.append("direction defaulted to one-way (motorway without oneway)")
+        if not value:
+            remarks.append("direction defaulted to one-way (motorway without oneway)")
         return FORWARD
     return BOTH
 
@@ -199,10 +211,13 @@ def _one_speed(text: str) -> float | None:
     if found:
         unit = found.group(2)
         factor = MPH_IN_KMH if unit == "mph" else KNOT_IN_KMH if unit.startswith("knot") else 1.0
-        speed = float(found.group(1)) * factor
-        return speed if SLOWEST_KMH <= speed <= FASTEST_KMH else None
+        return _plausible(float(found.group(1)) * factor)
     zone = re.fullmatch(r"(?:[a-z]{2}(?:-[a-z]{2,3})?:)?([a-z_]+)(?::hgv)?", text)
     if zone:
         return ZONE_SPEEDS_KMH.get(zone.group(1))
     number = re.fullmatch(r"[a-z]{2}:(?:zone:?)?(\d{1,3})", text)
-    return float(number.group(1)) if number else None
+    return _plausible(float(number.group(1))) if number else None
+
+
+def _plausible(speed_kmh: float) -> float | None:
+    return speed_kmh if SLOWEST_KMH <= speed_kmh <= FASTEST_KMH else None

@@ -1,0 +1,272 @@
+"""What a heavy vehicle reads in the tags of a road."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from platoon_osm.errors import ScenarioError
+from platoon_osm.sources.truck import (
+    BACKWARD,
+    BOTH,
+    COUNTRY_LIMITS_KMH,
+    FORWARD,
+    TruckRules,
+    is_driving_tag,
+    read_speed_kmh,
+    read_way,
+)
+
+MPH, KNOT = 1.609344, 1.852
+FREE = TruckRules(limiter_kmh=150)
+DEFAULTED = "speed defaulted from road class"
+ODD_SPEED = "maxspeed not understood"
+CAPPED = "speed capped for trucks"
+ONE_WAY = "direction defaulted to one-way (motorway without oneway)"
+
+
+def way(rules=FREE, **tags):
+    """Read a two-way primary road with some tags; "__" stands for ":" in a key."""
+    named = {key.replace("__", ":"): value for key, value in tags.items()}
+    return read_way({"highway": "primary", **named}, rules)
+
+
+@pytest.mark.parametrize(
+    ("text", "kmh"),
+    [
+        ("80", 80), ("80.5", 80.5), (" 80 ", 80), ("080", 80), ("80 km/h", 80), ("80km/h", 80),
+        ("80 kmh", 80), ("80 KPH", 80),
+        ("55 mph", 55 * MPH), ("55mph", 55 * MPH), ("65 MPH", 65 * MPH),
+        ("10 knots", 10 * KNOT), ("1 knot", None), ("10 knot", 10 * KNOT),
+        ("70|100", 70), ("100|70|80", 70), ("|100", 100), ("80;100", 80), ("none|80", 80),
+        ("70|signals", 70), ("variable|50", 50),
+        ("none", 150), ("None", 150), ("unlimited", 150),
+        ("IT:motorway", 130), ("DE:motorway", 130), ("motorway", 130), ("IT:trunk", 110),
+        ("FR:rural", 90), ("RO:urban", 50), ("DE:living_street", 20), ("walk", 7),
+        ("DE:walk", 7), ("CH:urban", 50), ("BE-VLG:rural", 90), ("IT:motorway:hgv", 130),
+        ("DE:zone:30", 30), ("DE:zone30", 30), ("IT:30", 30), ("DE:rural:hgv", 90),
+        # Slips of the pen and what nobody can read: not a number that a plan may rest on.
+        ("70100", None), ("1000", None), ("0", None), ("2", None), ("-50", None), ("", None),
+        ("|", None), ("signals", None), ("variable", None), ("fast", None), ("DE:fast", None),
+        ("80 furlongs", None), ("1e2", None), ("0x50", None), ("nan", None), ("inf", None),
+        ("50,5", None), ("IT:0", None), ("DE:999", None), ("DE:zone:999", None),
+        ("9" * 400, None), ("999 mph", None), ("80 @ (22:00-06:00)", None), ("80 90", None),
+    ],
+)  # fmt: skip
+def test_speed(text, kmh):
+    assert read_speed_kmh(text) == (None if kmh is None else pytest.approx(kmh))
+
+
+@settings(max_examples=300, deadline=None)
+@given(
+    st.text(max_size=12) | st.from_regex(r"[A-Z]{2}:[a-z]*:?[0-9]{0,4}|[0-9. |;]{1,9}(mph|km/h)?")
+)
+def test_no_text_gives_a_speed_that_no_truck_drives(text):
+    kmh = read_speed_kmh(text)
+    assert kmh is None or 3 <= kmh <= 150
+
+
+@pytest.mark.parametrize(
+    ("highway", "kmh"),
+    [
+        ("motorway", 120), ("trunk", 90), ("primary", 70), ("secondary", 60), ("tertiary", 50),
+        ("motorway_link", 50), ("primary_link", 50), ("unclassified", 40), ("", 40),
+    ],
+)  # fmt: skip
+def test_speed_from_the_class_is_counted(highway, kmh):
+    reading = read_way({"highway": highway, "oneway": "yes"}, FREE)
+    assert reading.speed_kmh == kmh
+    assert reading.remarks == (DEFAULTED,)
+
+
+@pytest.mark.parametrize(
+    ("tags", "kmh", "remarks"),
+    [
+        ({"maxspeed": "100"}, 80, (CAPPED,)),
+        ({"maxspeed": "80"}, 80, ()),
+        ({"maxspeed": "60"}, 60, ()),
+        ({"maxspeed": "none"}, 80, (CAPPED,)),
+        ({"maxspeed": "IT:motorway"}, 80, (CAPPED,)),
+        # A sign for trucks stands above the country's rule, but not above the limiter.
+        ({"maxspeed": "130", "maxspeed:hgv": "85"}, 85, ()),
+        ({"maxspeed": "130", "maxspeed:hgv": "100"}, 90, (CAPPED,)),
+        ({"maxspeed": "130", "maxspeed:hgv": "60"}, 60, ()),
+        ({"maxspeed": "50", "maxspeed:hgv": "70"}, 70, ()),
+        ({"maxspeed": "60", "maxspeed:hgv": "?"}, 60, (ODD_SPEED,)),
+        ({"maxspeed:hgv": "?"}, 70, (ODD_SPEED, DEFAULTED)),
+        ({"maxspeed": "fast"}, 70, (ODD_SPEED, DEFAULTED)),
+        ({"maxspeed:forward": "40", "maxspeed": "60"}, 40, ()),
+        ({"maxspeed:forward": "?", "maxspeed": "60"}, 60, (ODD_SPEED,)),
+        ({"maxspeed:hgv:forward": "30", "maxspeed:hgv": "60"}, 30, ()),
+        ({"maxspeed:backward": "40", "maxspeed": "60"}, 60, ()),
+    ],
+)
+def test_which_tag_decides_and_what_caps_it(tags, kmh, remarks):
+    reading = read_way({"highway": "primary", "oneway": "yes", **tags}, TruckRules("IT"))
+    assert reading.speed_kmh == pytest.approx(kmh)
+    assert reading.remarks == remarks
+    assert reading.backward_kmh == reading.speed_kmh
+
+
+@pytest.mark.parametrize(
+    ("tags", "forward", "backward"),
+    [
+        ({"maxspeed": "60"}, 60, 60),
+        ({"maxspeed": "60", "maxspeed:backward": "40"}, 60, 40),
+        ({"maxspeed:forward": "50", "maxspeed:backward": "40"}, 50, 40),
+        ({"maxspeed:forward": "50", "maxspeed": "60"}, 50, 60),
+        ({"maxspeed": "60", "maxspeed:hgv:backward": "30"}, 60, 30),
+        ({"maxspeed": "60", "maxspeed:backward": "?"}, 60, 60),
+        ({"maxspeed": "60", "maxspeed:backward": "none"}, 60, 80),
+        ({"maxspeed:backward": "45"}, 70, 45),
+    ],
+)
+def test_each_direction_of_a_two_way_road_has_its_own_limit(tags, forward, backward):
+    reading = way(TruckRules("IT"), **tags)
+    assert reading.direction == BOTH
+    assert (reading.speed_kmh, reading.backward_kmh) == (forward, backward)
+
+
+def test_a_remark_about_either_direction_counts_once_for_the_way():
+    reading = way(maxspeed="fast", maxspeed__backward="slow")
+    assert sorted(reading.remarks) == [ODD_SPEED, DEFAULTED]
+    assert way(maxspeed="60", maxspeed__backward="slow").remarks == (ODD_SPEED,)
+
+
+def test_against_the_way_the_backward_limit_counts():
+    reading = way(oneway="-1", maxspeed="60", maxspeed__backward="40", maxspeed__forward="50")
+    assert (reading.direction, reading.speed_kmh) == (BACKWARD, 40)
+
+
+@pytest.mark.parametrize(
+    ("tags", "direction"),
+    [
+        ({"oneway": "yes"}, FORWARD), ({"oneway": "true"}, FORWARD), ({"oneway": "1"}, FORWARD),
+        ({"oneway": " YES "}, FORWARD),
+        ({"oneway": "-1"}, BACKWARD), ({"oneway": "reverse"}, BACKWARD),
+        ({"oneway": "no"}, BOTH), ({"oneway": "false"}, BOTH), ({"oneway": "0"}, BOTH), ({}, BOTH),
+        ({"junction": "roundabout"}, FORWARD), ({"junction": "circular"}, FORWARD),
+        ({"junction": "roundabout", "oneway": "-1"}, BACKWARD),
+        ({"highway": "motorway", "oneway": "no"}, BOTH),
+        ({"highway": "motorway", "oneway": "-1"}, BACKWARD),
+    ],
+)  # fmt: skip
+def test_direction(tags, direction):
+    reading = way(maxspeed="50", **tags)
+    assert reading.direction == direction
+    assert reading.remarks == ()
+
+
+@pytest.mark.parametrize("highway", ["motorway", "motorway_link"])
+def test_a_motorway_without_oneway_is_one_way_and_counted(highway):
+    reading = way(highway=highway, maxspeed="50")
+    assert (reading.direction, reading.remarks) == (FORWARD, (ONE_WAY,))
+
+
+def test_a_direction_nobody_understands_is_counted():
+    odd = ("oneway not understood",)
+    reversible = way(highway="motorway", oneway="reversible", maxspeed="50")
+    assert (reversible.direction, reversible.remarks) == (FORWARD, odd)
+    assert way(oneway="perhaps", maxspeed="50").remarks == odd
+
+
+@pytest.mark.parametrize(
+    ("tags", "allowed"),
+    [
+        ({}, True),
+        ({"hgv": "yes"}, True),
+        ({"hgv": "designated"}, True),
+        ({"hgv": "no"}, False),
+        ({"hgv": " No "}, False),
+        ({"access": "no"}, False),
+        ({"access": "private"}, False),
+        ({"access": "yes"}, True),
+        ({"motor_vehicle": "no"}, False),
+        ({"vehicle": "no"}, False),
+        ({"motor_vehicle": "agricultural"}, False),
+        ({"motor_vehicle": "permissive"}, True),
+        # The tag that is about trucks decides before those about all.
+        ({"access": "no", "hgv": "yes"}, True),
+        ({"access": "yes", "hgv": "no"}, False),
+        ({"access": "no", "motor_vehicle": "yes"}, True),
+        ({"vehicle": "yes", "motor_vehicle": "no"}, False),
+        ({"hgv:conditional": "no @ (22:00-06:00)"}, True),
+    ],
+)
+def test_access(tags, allowed):
+    assert way(**tags).allowed is allowed
+
+
+@pytest.mark.parametrize(
+    ("tags", "toll"),
+    [
+        ({}, False),
+        ({"toll": "yes"}, True),
+        ({"toll": "no"}, False),
+        ({"toll": " NO "}, False),
+        ({"toll": "no", "toll:hgv": "yes"}, True),
+        ({"toll": "yes", "toll:hgv": "no"}, False),
+        ({"toll": "no", "toll:N3": "yes"}, True),
+        ({"toll:N3": "no", "toll:hgv": "yes"}, True),
+        ({"toll": "hgv"}, True),
+    ],
+)
+def test_toll(tags, toll):
+    assert way(**tags).toll is toll
+
+
+def test_conditional_tags_are_ignored_but_counted_one_by_one():
+    reading = way(
+        maxspeed="60", maxspeed__conditional="40 @ wet", hgv__conditional="no @ (Su)",
+        access__conditional="no @ winter",
+    )  # fmt: skip
+    assert reading.speed_kmh == 60
+    assert reading.allowed
+    assert reading.remarks == ("conditional tags ignored",) * 3
+
+
+def test_the_tags_that_are_read_are_those_that_are_asked_for():
+    for key in ("highway", "oneway", "hgv", "toll:N3", "maxspeed:hgv:backward", "x:conditional"):
+        assert is_driving_tag(key)
+    for key in ("name", "ref", "surface", "min_speed", "source:maxspeed"):
+        assert not is_driving_tag(key)
+
+
+@pytest.mark.parametrize(
+    ("country", "kmh"),
+    [("IT", 80), ("DE", 80), ("AT", 80), ("NL", 80), ("FR", 90), ("BE", 90), ("US-CA", 55 * MPH),
+     (None, 90)],
+)  # fmt: skip
+def test_country_caps(country, kmh):
+    rules = TruckRules(country)
+    assert rules.cap_kmh == pytest.approx(kmh)
+    assert way(rules, maxspeed="120").speed_kmh == pytest.approx(kmh)
+
+
+def test_the_limiter_caps_what_the_country_allows():
+    assert TruckRules("FR", 85).cap_kmh == 85
+    assert TruckRules("IT", 85).cap_kmh == 80
+    assert TruckRules(limiter_kmh=70).cap_kmh == 70
+
+
+def test_all_countries_have_a_plausible_limit():
+    assert all(60 <= limit <= 100 for limit in COUNTRY_LIMITS_KMH.values())
+
+
+@pytest.mark.parametrize(
+    ("country", "limiter", "said"),
+    [
+        ("XX", 90, "country 'XX' has no truck limit here; use AT"),
+        ("it", 90, "country 'it'"),
+        (["IT"], 90, "country ['IT']"),
+        (None, 0, "limiter_kmh 0: a speed limiter lies between 3 and 150 km/h"),
+        (None, -90, "limiter_kmh -90"),
+        (None, float("nan"), "limiter_kmh nan"),
+        (None, float("inf"), "limiter_kmh inf"),
+        (None, "90", "limiter_kmh '90'"),
+    ],
+)
+def test_rules_that_cannot_be(country, limiter, said):
+    with pytest.raises(ScenarioError) as caught:
+        TruckRules(country, limiter)
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)
