@@ -109,7 +109,19 @@ def infer_links(net: RoadNetwork, reach_m: float = 200.0) -> RoadNetwork:
             },
             f"{len(pairs)} connectors were inferred, not mapped; the largest strongly connected "
             f"part now holds {after:.0%} of the carriageway-km instead of {before:.0%}",
+            *_ramps_remark(net),
         )
+    )
+
+
+def _ramps_remark(net: RoadNetwork) -> tuple[str, ...]:
+    """Warn where the map has ramps of its own, which connectors may bypass."""
+    ramps = int((net.road_class == ROAD_CLASSES.index("motorway_link")).sum())
+    if not ramps:
+        return ()
+    return (
+        f"this map has {ramps} ramps of its own; inferred connectors may bypass them, so load it "
+        "without infer_links if it connects",
     )
 
 

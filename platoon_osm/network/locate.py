@@ -7,7 +7,7 @@ import re
 import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +30,9 @@ OTHER_CARRIAGEWAY_M = 1_500.0
 """How much farther than the nearest node another may be to count as a choice of carriageway."""
 
 MOST_CANDIDATES = 12
+
+MOSTLY_CONNECTED = 0.5
+"""Share of the road that the main component must hold to decide where trips may start and end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +74,8 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
         No such node or name (with the nearest spellings), several places of that name (listed),
         or coordinates off the globe.
     """
+    if role not in get_args(Role):
+        raise ValueError(f"role {role!r} is unknown; use {', '.join(get_args(Role))}")
     if isinstance(place, Location):
         return place
     if isinstance(place, str):
@@ -96,11 +101,22 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
 
 
 def _usable(net: RoadNetwork, role: Role) -> NDArray[np.bool_]:
-    """Mark nodes from which the main strong component is reached, or which it reaches, or both."""
+    """Mark nodes from which the main strong component is reached, or which it reaches, or both.
+
+    Where most of the road is in no such component, as on a single motorway without a way back, it
+    is no measure: then a trip may start wherever a road leads on, and end wherever one arrives.
+    """
     key = f"usable {role}"
     if key not in net._kept:
         main = net.strong_component() == 0
-        if role == "any":
+        inside = float(net.length_m[main[net.tail] & main[net.head]].sum())
+        if not inside or inside < MOSTLY_CONNECTED * float(net.length_m.sum()):
+            leaves = np.diff(net.first_out) > 0
+            arrives = np.bincount(net.head, minlength=net.n) > 0
+            net._kept[key] = {
+                "origin": leaves, "destination": arrives, "any": leaves | arrives
+            }[role]  # fmt: skip
+        elif role == "any":
             net._kept[key] = main
         else:
             net._kept[key] = _closure(net, main, backward=role == "origin")
@@ -126,7 +142,12 @@ def _closure(net: RoadNetwork, inside: NDArray[np.bool_], backward: bool) -> NDA
 def _by_coordinates(
     net: RoadNetwork, lon: float, lat: float, role: Role, name: str | None
 ) -> Location:
-    usable = np.flatnonzero(_usable(net, role))
+    fits = _usable(net, role)
+    usable = np.flatnonzero(fits)
+    if not len(usable):
+        raise NetworkError(
+            f"place ({lon}, {lat}): {net.source.name} has no road to start or end on"
+        )
     away = distance_m(net.lon[usable], net.lat[usable], lon, lat)
     order = np.argsort(away, kind="stable")
     limit = away[order[0]] + OTHER_CARRIAGEWAY_M
@@ -134,12 +155,13 @@ def _by_coordinates(
     candidates = tuple((int(usable[i]), float(away[i])) for i in chosen)
     node = candidates[0][0]
     return Location(
-        node, name or net.place_name(node), lon, lat, _road_distance_m(net, lon, lat), candidates
-    )
+        node, name or net.place_name(node), lon, lat,
+        _road_distance_m(net, fits[net.tail] | fits[net.head], lon, lat), candidates,
+    )  # fmt: skip
 
 
-def _road_distance_m(net: RoadNetwork, lon: float, lat: float) -> float:
-    """Distance [m] from a point to the nearest road, on a plane true to scale at the point."""
+def _road_distance_m(net: RoadNetwork, edges: NDArray[np.bool_], lon: float, lat: float) -> float:
+    """Distance [m] from a point to the nearest of some edges, on a plane true to scale there."""
     per_lon, per_lat = metres_per_degree(lat)
     x, y = (net.shape_lon - lon) * per_lon, (net.shape_lat - lat) * per_lat
     ax, ay, dx, dy = x[:-1], y[:-1], np.diff(x), np.diff(y)
@@ -148,15 +170,21 @@ def _road_distance_m(net: RoadNetwork, lon: float, lat: float) -> float:
     square = dx**2 + dy**2
     share = np.divide(-(ax * dx + ay * dy), square, out=np.zeros_like(square), where=square > 0)
     share = np.clip(share, 0, 1)
-    return float(np.sqrt(np.min((ax + share * dx) ** 2 + (ay + share * dy) ** 2)))
+    away = (ax + share * dx) ** 2 + (ay + share * dy) ** 2
+    # An edge has one point more than straight pieces: the last "piece" leads to the next edge.
+    return float(np.sqrt(away[np.repeat(edges, np.diff(net.shape_first))[:-1]].min()))
 
 
 # -- names ---------------------------------------------------------------------------------------
 
 
+LETTERS = str.maketrans({"ł": "l", "ø": "o", "đ": "d", "ð": "d", "ı": "i", "æ": "ae", "œ": "oe"})
+"""Letters that people without them on the keyboard write so; Unicode does not decompose them."""
+
+
 def fold(text: str) -> str:
     """Reduce a name to what people remember of it: no case, accents, punctuation or spaces."""
-    plain = unicodedata.normalize("NFKD", text.casefold())
+    plain = unicodedata.normalize("NFKD", text.casefold().translate(LETTERS))
     return re.sub(r"[\W_]+", " ", "".join(c for c in plain if not unicodedata.combining(c))).strip()
 
 
@@ -171,7 +199,12 @@ class _Named:
     nodes: tuple[int, ...]
     refs: frozenset[str]
 
+    def roads(self) -> set[str]:
+        """Return the road numbers as they are compared: "A 4;E 64" is the a4 and the e64."""
+        return {fold(part).replace(" ", "") for ref in self.refs for part in ref.split(";")}
+
     def label(self) -> str:
+        """Return how the place is told from others of its name."""
         roads = ", ".join(sorted(self.refs)) or self.kind
         return f"{self.name} ({roads}) at {format_position(self.lon, self.lat)}"
 
@@ -183,15 +216,14 @@ def _by_name(net: RoadNetwork, text: str, role: Role) -> Location:
     if not wanted:
         raise NetworkError(f"place {text!r}: an empty name; give a junction, a town or (lon, lat)")
     index = _name_index(net)
+    if road and fold(text) in index:
+        # The brackets belong to the name, as in "Frankfurt (Oder)".
+        wanted, road = fold(text), ""
     matches = index.get(wanted) or [
         item for key, items in index.items() if f" {wanted} " in f" {key} " for item in items
     ]
     if road:
-        matches = [
-            item
-            for item in matches
-            if road in {fold(ref).replace(" ", "") for ref in item.refs} | {item.kind}
-        ]
+        matches = [item for item in matches if road in item.roads() | {item.kind}]
     if not matches:
         near = difflib.get_close_matches(wanted, index, 4, 0.6)
         hint = ", ".join(index[key][0].name for key in near)

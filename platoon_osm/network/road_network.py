@@ -174,8 +174,20 @@ class RoadNetwork:
                 for column, size in ((node_name, n), (node_ref, n), (ref, m), (name, m))
             ]
             texts, (node_name, node_ref, ref, name) = encode_texts(*columns)
+        for label, values, size in (
+            ("head", heads, m), ("length_m", length_m, m), ("speed_mps", speed_mps, m),
+            ("lat", lats, n), ("node_id", node_id, n), ("node_name", node_name, n),
+            ("node_ref", node_ref, n), ("road_class", road_class, m), ("ref", ref, m),
+            ("name", name, m), ("toll", toll, m), ("inferred", inferred, m),
+            ("way_id", way_id, m), ("shape_first", shape_first, m + 1),
+        ):  # fmt: skip
+            if values is not None and np.ndim(values) and np.shape(values) != (size,):
+                raise NetworkError(
+                    f"network: {label} has shape {np.shape(values)}; {n} nodes and {m} edges "
+                    f"need ({size},)"
+                )
         bad = (tails < 0) | (tails >= n) | (heads < 0) | (heads >= n)
-        if len(heads) != m or bad.any():
+        if bad.any():
             raise NetworkError(
                 f"network: {int(bad.sum())} of {m} edges end at no node (first: edge "
                 f"{int(np.argmax(bad))}); node positions run from 0 to {n - 1}"
@@ -186,6 +198,13 @@ class RoadNetwork:
             shape_lon, shape_lat = lons[ends], lats[ends]
         first = np.asarray(shape_first, np.int64)
         shape_lons, shape_lats = np.asarray(shape_lon), np.asarray(shape_lat)
+        if len(shape_lons) != first[-1] or len(shape_lats) != first[-1] or first[0] != 0:
+            raise NetworkError(
+                f"network: shapes have {len(shape_lons)} lon and {len(shape_lats)} lat for points "
+                f"{first[0]} to {first[-1]}; shape_first must run from 0 to their number"
+            )
+        if (np.diff(first) < 2).any():
+            raise NetworkError("network: every edge needs a shape of two points or more")
         if length_m is None:
             length_m = shape_lengths_m(first, shape_lons, shape_lats)
         order = np.argsort(tails, kind="stable")
@@ -258,9 +277,14 @@ class RoadNetwork:
                     f"network: edge {e} (way {self.way_id[e]}) has {label} {values[e]}; "
                     f"a {label} must be finite and {'above' if label == 'speed' else 'not below'} 0"
                 )
-        sizes = np.diff(self.shape_first)
-        if self.m and (sizes.min() < 2 or self.shape_first[-1] != len(self.shape_lon)):
-            raise NetworkError("network: every edge needs a shape of two points or more")
+        off_globe = ~((np.abs(self.shape_lon) <= 180) & (np.abs(self.shape_lat) <= 90))
+        if off_globe.any():
+            at = int(np.argmax(off_globe))
+            e = int(np.searchsorted(self.shape_first, at, "right")) - 1
+            raise NetworkError(
+                f"network: edge {e} (way {self.way_id[e]}) passes lon {self.shape_lon[at]}, lat "
+                f"{self.shape_lat[at]}; coordinates must be degrees within ±180 and ±90"
+            )
 
     # -- looking at it -------------------------------------------------------------------------
 

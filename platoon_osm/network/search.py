@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import NoRouteError
+from .best_pairs import Found, Positions, best_pairs, entry_exit_costs, only_at
 from .road_network import RoadNetwork
 
-__all__ = ["ReferenceEngine", "Tree", "astar", "many_to_many"]
+__all__ = ["ReferenceEngine", "Tree", "astar"]
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
@@ -43,16 +43,72 @@ class Tree:
             If the node cannot be reached.
         """
         if not np.isfinite(self.dist[node]):
-            raise NoRouteError(
-                f"no route {'to' if self.forward else 'from'} {self.net.place_name(node)} "
-                f"(node {node}); choose another place or load more roads"
-            )
+            raise no_route(self.net, node, self.forward)
         step = self.net.tail if self.forward else self.net.head
         edges = []
         while (edge := int(self.edge[node])) >= 0:
             edges.append(edge)
             node = int(step[edge])
         return np.array(edges[::-1] if self.forward else edges, np.int64)
+
+
+def no_route(net: RoadNetwork, node: int, forward: bool) -> NoRouteError:
+    """Return the error to raise when a node cannot be reached, or cannot reach."""
+    return NoRouteError(
+        f"no route {'to' if forward else 'from'} {net.place_name(node)} (node {node}); "
+        "choose another place or load more roads"
+    )
+
+
+def checked_weight(net: RoadNetwork, weight: ArrayLike) -> Floats:
+    """Return costs of the edges as an array (m,).
+
+    Raises
+    ------
+    ValueError
+        A weight that is negative, NaN or of the wrong shape.
+    """
+    values = np.asarray(weight, np.float64)
+    if values.shape != (net.m,):
+        raise ValueError(f"weight has shape {values.shape}; the network has {net.m} edges")
+    if not (values >= 0).all():
+        worst = int(np.argmin(np.where(np.isnan(values), -np.inf, values)))
+        raise ValueError(f"weight of edge {worst} is {values[worst]}; it must be 0 or more")
+    return values
+
+
+def checked_nodes(net: RoadNetwork, nodes: ArrayLike) -> Edges:
+    """Return nodes as an array (k,).
+
+    Raises
+    ------
+    ValueError
+        A node outside the network.
+    """
+    wanted = np.atleast_1d(np.asarray(nodes, np.int64))
+    outside = (wanted < 0) | (wanted >= net.n)
+    if outside.any():
+        raise ValueError(
+            f"node {wanted[np.argmax(outside)]}: the network has nodes 0 to {net.n - 1}"
+        )
+    return wanted
+
+
+def checked_labels(net: RoadNetwork, labels: ArrayLike) -> Floats:
+    """Return starting costs of the nodes as an array (n,).
+
+    Raises
+    ------
+    ValueError
+        A label that is negative, NaN or of the wrong shape.
+    """
+    seeds = np.asarray(labels, np.float64)
+    if seeds.shape != (net.n,):
+        raise ValueError(f"labels have shape {seeds.shape}; the network has {net.n} nodes")
+    if not (seeds >= 0).all():
+        worst = int(np.argmin(np.where(np.isnan(seeds), -np.inf, seeds)))
+        raise ValueError(f"label of node {worst} is {seeds[worst]}; it must be 0 or more")
+    return seeds
 
 
 class ReferenceEngine:
@@ -76,12 +132,7 @@ class ReferenceEngine:
     def __init__(self, net: RoadNetwork, weight: ArrayLike) -> None:
         from scipy.sparse import csr_array
 
-        values = np.asarray(weight, np.float64)
-        if values.shape != (net.m,):
-            raise ValueError(f"weight has shape {values.shape}; the network has {net.m} edges")
-        if not (values >= 0).all():
-            worst = int(np.argmin(np.where(np.isnan(values), -np.inf, values)))
-            raise ValueError(f"weight of edge {worst} is {values[worst]}; it must be 0 or more")
+        values = checked_weight(net, weight)
         self.net = net
         open_edges = np.flatnonzero(np.isfinite(values))
         key = net.tail[open_edges].astype(np.int64) * net.n + net.head[open_edges]
@@ -107,7 +158,7 @@ class ReferenceEngine:
         """Return costs (k, n) from each of k nodes to all, or from all to each if not forward."""
         from scipy.sparse.csgraph import dijkstra
 
-        wanted = np.atleast_1d(np.asarray(nodes, np.int64))
+        wanted = checked_nodes(self.net, nodes)
         if not len(wanted):
             return np.zeros((0, self.net.n))
         distinct, back = np.unique(wanted, return_inverse=True)
@@ -119,8 +170,9 @@ class ReferenceEngine:
         """Return the tree of least-cost paths from a node, or to it if not forward."""
         from scipy.sparse.csgraph import dijkstra
 
+        start = checked_nodes(self.net, node)
         graph = self._forward if forward else self._backward
-        dist, before = dijkstra(graph, True, np.array(node), True)
+        dist, before = dijkstra(graph, True, start[0], True)
         return Tree(self.net, dist, self._edges_of(before, forward), forward)
 
     def seeded(self, labels: ArrayLike) -> Tree:
@@ -138,7 +190,7 @@ class ReferenceEngine:
         from scipy.sparse import csr_array
         from scipy.sparse.csgraph import dijkstra
 
-        seeds = np.asarray(labels, np.float64)
+        seeds = checked_labels(self.net, labels)
         n = self.net.n
         starts = np.flatnonzero(np.isfinite(seeds))
         # One extra node with an edge of the label's cost to every start makes it one search.
@@ -155,6 +207,60 @@ class ReferenceEngine:
         before[before == n] = -1
         return Tree(self.net, dist[:n], self._edges_of(before, True), True)
 
+    def many_to_many(self, sources: ArrayLike, targets: ArrayLike) -> Floats:
+        """Return least costs (S, T) between sources and targets, searched from the fewer."""
+        start, end = checked_nodes(self.net, sources), checked_nodes(self.net, targets)
+        if len(start) <= len(end):
+            return self.distances(start)[:, end]
+        return self.distances(end, forward=False)[:, start].T
+
+    def one_to_many(self, source: int, targets: ArrayLike) -> Floats:
+        """Return least costs (T,) from a source to targets."""
+        row: Floats = self.distances(source)[0, checked_nodes(self.net, targets)]
+        return row
+
+    def path(self, source: int, target: int) -> Edges:
+        """Return the edges of a least-cost path.
+
+        Raises
+        ------
+        NoRouteError
+            If there is none.
+        """
+        return self.tree(source).path(int(checked_nodes(self.net, target)[0]))
+
+    def best_on_route(
+        self,
+        route: Edges,
+        origins: Edges,
+        destinations: Edges,
+        platoon: Floats,
+        length_m: Floats,
+        entries: Positions | None = None,
+        exits: Positions | None = None,
+    ) -> Found:
+        """Return for N members the best positions i < j on a route, and what they cost.
+
+        Parameters
+        ----------
+        route : (K + 1,) nodes.
+        origins, destinations : (N,) nodes.
+        platoon, length_m : (K + 1,) platoon weight and metres along the route up to each node.
+        entries, exits : positions each member may use, as first (N + 1,) and positions; by
+            default all.
+
+        Returns
+        -------
+        i, j : (N,) -1 where staying alone is cheaper.
+        cost, solo : (N,)
+        """
+        start, end = checked_nodes(self.net, origins), checked_nodes(self.net, destinations)
+        entry, leave, solo = entry_exit_costs(self, checked_nodes(self.net, route), start, end)
+        i, j, cost = best_pairs(
+            only_at(entry, entries), only_at(leave, exits), platoon, length_m, solo
+        )
+        return i, j, cost, solo
+
     def _edges_of(self, before: NDArray[np.int32], forward: bool) -> Edges:
         nodes = np.arange(self.net.n, dtype=np.int64)
         edges = np.full(self.net.n, -1, np.int64)
@@ -163,20 +269,6 @@ class ReferenceEngine:
         key = pairs[0][known].astype(np.int64) * self.net.n + pairs[1][known]
         edges[known] = self._edge[np.searchsorted(self._key, key)]
         return edges
-
-
-def many_to_many(
-    net: RoadNetwork, weight: ArrayLike, sources: Sequence[int], targets: Sequence[int]
-) -> Floats:
-    """Return least costs (S, T) between sources and targets; inf where there is no way.
-
-    Searches from the smaller side.
-    """
-    engine = ReferenceEngine(net, weight)
-    start, end = np.asarray(sources, np.int64), np.asarray(targets, np.int64)
-    if len(start) <= len(end):
-        return engine.distances(start)[:, end]
-    return engine.distances(end, forward=False)[:, start].T
 
 
 def astar(

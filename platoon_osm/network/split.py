@@ -79,6 +79,12 @@ def split_edges(
     return _rebuilt(net, whole, tails, heads, parents, shapes, lengths, lon, lat), node_of_cut
 
 
+def _new_ids(net: RoadNetwork, count: int) -> NDArray[np.int64]:
+    """Return ids below all there are, so that a network cut twice has each id once."""
+    lowest = int(net.node_id.min(initial=0))
+    return min(SPLIT_NODE_IDS, lowest - 1) - np.arange(count)
+
+
 def _rebuilt(
     net: RoadNetwork,
     whole: NDArray[np.bool_],
@@ -107,7 +113,7 @@ def _rebuilt(
         lon=lon,
         lat=lat,
         speed_mps=net.speed_mps[origin],
-        node_id=np.concatenate([net.node_id, SPLIT_NODE_IDS - np.arange(new)]),
+        node_id=np.concatenate([net.node_id, _new_ids(net, new)]),
         node_name=with_new(net.node_name),
         node_ref=with_new(net.node_ref),
         road_class=net.road_class[origin],

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import os
-import tempfile
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -51,19 +50,21 @@ def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     ).encode()
     header += b" " * (-(len(MAGIC) + 8 + len(header)) % ALIGNMENT)
     target = Path(path)
+    temporary = target.with_name(f"{target.name}.{os.getpid()}.tmp")
     try:
-        handle, temporary = tempfile.mkstemp(dir=target.parent, suffix=".tmp")
-    except OSError as error:
-        raise MapDataError(f"{target}: cannot write here ({error.strerror})") from error
-    try:
-        with os.fdopen(handle, "wb") as out:
+        with temporary.open("wb") as out:
             out.write(MAGIC + len(header).to_bytes(8, "little") + header)
             for array in arrays.values():
                 out.write(np.ascontiguousarray(array).tobytes())
                 out.write(b"\0" * (-array.nbytes % ALIGNMENT))
-        Path(temporary).replace(target)
+        temporary.replace(target)
+    except OSError as error:
+        temporary.unlink(missing_ok=True)
+        raise MapDataError(
+            f"{target}: cannot be written ({error.strerror}); check the folder and its rights"
+        ) from error
     except BaseException:
-        Path(temporary).unlink(missing_ok=True)
+        temporary.unlink(missing_ok=True)
         raise
 
 
@@ -89,6 +90,8 @@ def open_network(path: str | os.PathLike[str]) -> RoadNetwork:
                 header = json.loads(handle.read(header_bytes))
             except ValueError as error:
                 raise _cut_short(file) from error
+        if not isinstance(header, dict):
+            raise _cut_short(file)
         if header.get("version") != FORMAT_VERSION:
             raise MapDataError(
                 f"{file}: saved in format {header.get('version')}, this version reads "
@@ -99,7 +102,9 @@ def open_network(path: str | os.PathLike[str]) -> RoadNetwork:
             raise _cut_short(file)
         payload = np.memmap(file, np.uint8, "r", begin, (header["payload_bytes"],))
         arrays = {name: _view(payload, item) for name, item in header["arrays"].items()}
-        return _network(arrays, header)
+        net = _network(arrays, header)
+        net._kept["file"] = file.absolute()
+        return net
     except OSError as error:
         raise MapDataError(f"{file}: cannot be read ({error.strerror})") from error
     except (KeyError, TypeError, ValueError) as error:

@@ -27,6 +27,7 @@ class TextTable(Sequence[str]):
     def __init__(self, offsets: NDArray[np.int64], blob: NDArray[np.uint8]) -> None:
         self.offsets = offsets
         self.blob = blob
+        offsets.flags.writeable = blob.flags.writeable = False
 
     @classmethod
     def from_strings(cls, strings: Iterable[str]) -> TextTable:

@@ -1,0 +1,117 @@
+"""Where vehicles best join a route and leave it, from known costs alone: the reference.
+
+A member from o to g pays D(o, r_i) + P_j - P_i + D(r_j, g) if it joins the route r_0 .. r_K at
+r_i and leaves it at r_j, i < j, D being the least cost alone and P the platoon weight along the
+route up to each node. One pass that carries the least D(o, r_i) - P_i so far finds the best pair.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["TIE", "Found", "Positions", "best_pairs", "entry_exit_costs", "only_at"]
+
+Floats = NDArray[np.float64]
+Index = NDArray[np.int64]
+Found = tuple[Index, Index, Floats, Floats]
+Positions = tuple[Index, Index]
+
+TIE = 1e-11
+"""Costs that differ by less, relative to the cost alone, are equal: sums of the same edges in
+another order differ in their last digits, and the answer must not depend on it."""
+
+
+class _Distances(Protocol):
+    def distances(self, nodes: ArrayLike, forward: bool = True) -> Floats: ...
+
+
+def only_at(costs: Floats, positions: Positions | None) -> Floats:
+    """Keep costs (N, K + 1) only at the positions each member may use; inf elsewhere.
+
+    Parameters
+    ----------
+    positions : first (N + 1,) and positions on the route; None allows all.
+    """
+    if positions is None:
+        return costs
+    first, at = positions
+    kept = np.full(costs.shape, np.inf)
+    member = np.repeat(np.arange(len(costs)), np.diff(first))
+    kept[member, at] = costs[member, at]
+    return kept
+
+
+def entry_exit_costs(
+    engine: _Distances, nodes: Index, origins: Index, destinations: Index
+) -> tuple[Floats, Floats, Floats]:
+    """Return D(o, r_i) (N, K + 1), D(r_j, g) (N, K + 1) and D(o, g) (N,).
+
+    Searches from members or from the route's nodes, whichever are fewer.
+    """
+    few_members = len(np.unique(origins)) <= len(nodes)
+    if few_members:
+        away = engine.distances(origins)
+        entry, solo = away[:, nodes], away[np.arange(len(origins)), destinations]
+    else:
+        entry = engine.distances(nodes, forward=False)[:, origins].T
+        solo = _pair_costs(engine, origins, destinations)
+    if len(np.unique(destinations)) <= len(nodes):
+        leave = engine.distances(destinations, forward=False)[:, nodes]
+    else:
+        leave = engine.distances(nodes)[:, destinations].T
+    return entry, leave, solo
+
+
+def _pair_costs(engine: _Distances, origins: Index, destinations: Index) -> Floats:
+    forward = len(np.unique(origins)) <= len(np.unique(destinations))
+    sources, targets = (origins, destinations) if forward else (destinations, origins)
+    distinct, row = np.unique(sources, return_inverse=True)
+    result = np.empty(len(origins))
+    for begin in range(0, len(distinct), 256):
+        part = engine.distances(distinct[begin : begin + 256], forward)
+        mine = np.flatnonzero((row >= begin) & (row < begin + 256))
+        result[mine] = part[row[mine] - begin, targets[mine]]
+    return result
+
+
+def best_pairs(
+    entry: Floats, leave: Floats, platoon: Floats, length: Floats, solo: Floats
+) -> tuple[Index, Index, Floats]:
+    """Return for each member the best positions i < j on the route and the cost.
+
+    Parameters
+    ----------
+    entry, leave : (N, K + 1) costs alone to each route node, and from each to the destination.
+    platoon, length : (K + 1,) platoon weight and metres along the route up to each node.
+    solo : (N,) cost alone.
+
+    Returns
+    -------
+    i, j : (N,) -1 where staying alone is cheaper.
+    cost : (N,)
+    """
+    lead = np.minimum.accumulate(entry - platoon, axis=1)
+    total = lead + platoon + leave
+    least = total.min(axis=1, initial=np.inf)
+    slack = TIE * np.where(np.isfinite(solo), solo, np.where(np.isfinite(least), least, 0.0))
+    best_i = np.full(len(solo), -1, np.int64)
+    best_j = np.full(len(solo), -1, np.int64)
+    cost = solo.copy()
+    for member in np.flatnonzero(np.isfinite(least) & (least <= solo + slack)):
+        limit = least[member] + slack[member]
+        ends = np.flatnonzero(total[member] <= limit)
+        # The carried minimum never rises, so the first entry that is good enough is found by
+        # bisection; it is also the one with the longest platoon, for lengths only grow.
+        wanted = limit - platoon[ends] - leave[member, ends]
+        starts = np.searchsorted(-lead[member], -wanted, side="left")
+        together = length[ends] - length[np.minimum(starts, ends)]
+        best = int(np.lexsort((ends, starts, -together))[0])
+        i, j = int(starts[best]), int(ends[best])
+        # A platoon of no length is none, unless it is cheaper.
+        if i < j and (together[best] > 0 or least[member] < solo[member] - slack[member]):
+            best_i[member], best_j[member] = i, j
+            cost[member] = entry[member, i] + (platoon[j] - platoon[i]) + leave[member, j]
+    return best_i, best_j, cost

@@ -1,0 +1,14 @@
+"""The fast engine: a customizable contraction hierarchy with batched sweeps.
+
+What depends on the network alone (`order`, `symbolic`) is built once and stored beside it
+(`storage`); what depends on a weight (`customization`) takes milliseconds; then `queries`,
+`members` and `paths` answer. Importing any of these loads numba; nothing here is imported
+before the engine is chosen.
+
+References
+----------
+.. [1] Dibbelt, Strasser, Wagner, "Customizable contraction hierarchies", ACM Journal of
+   Experimental Algorithmics 21 (2016).
+.. [2] Delling, Goldberg, Nowatzyk, Werneck, "PHAST: hardware-accelerated shortest path trees",
+   IPDPS 2011.
+"""

@@ -1,0 +1,290 @@
+"""Symbolic contraction: which arcs a hierarchy needs under any weight.
+
+Contracting a node joins all its later neighbours. The arcs that arise depend on the order alone,
+so this is done once a network. Ranks are then given anew, so that every subtree of the elimination
+tree has consecutive ranks: a sweep reads memory in one direction, and subtrees can be swept by
+different threads. The ranks of the top, the nodes above all those subtrees, come last.
+
+References
+----------
+.. [1] Dibbelt, Strasser, Wagner, "Customizable contraction hierarchies", JEA 21 (2016), sections
+   4 and 5.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .jit import compiled
+from .order import contraction_order, neighbours
+
+__all__ = ["Topology", "build_topology"]
+
+Ints = NDArray[np.int32]
+Floats = NDArray[np.float64]
+Longs = NDArray[np.int64]
+
+SHARE = 4
+"""A subtree swept by one thread holds at most one part in this many of all arcs."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Topology:
+    """The hierarchy without weights: n nodes by rank, a arcs from lower to higher rank.
+
+    Attributes
+    ----------
+    node : (n,) the network's node of each rank.
+    rank : (n,) the rank of each of the network's nodes.
+    first : (n + 1,) where the arcs of each rank begin.
+    head : (a,) rank of the upper end; ascending within each node's arcs.
+    parent : (n,) rank of the lowest upper neighbour; -1 for roots.
+    triangle : (t,) for each node, for each pair i < j of its arcs, the arc between their heads.
+    triangle_first : (n + 1,) where the triangles of each rank begin.
+    place : (m,) for each edge 2 * arc, plus 1 if it leads down; -1 for an edge from a node to
+        itself.
+    below_first, below : (n + 1,), (a,) the arcs that end at each rank, from the lowest tail up.
+    subtree : (s + 1,) ranks where the subtrees for threads begin; the last is where the top
+        begins.
+    """
+
+    node: Ints
+    rank: Ints
+    first: Ints
+    head: Ints
+    parent: Ints
+    triangle: Ints
+    triangle_first: Longs
+    place: Ints
+    below_first: Ints
+    below: Ints
+    subtree: Ints
+
+    @property
+    def n(self) -> int:
+        """Number of nodes."""
+        return len(self.node)
+
+    @property
+    def top(self) -> int:
+        """First rank above all subtrees."""
+        return int(self.subtree[-1])
+
+    def parts(self) -> list[tuple[int, int]]:
+        """Return the ranks of each subtree, the one with most arcs first."""
+        pairs = list(zip(self.subtree[:-1].tolist(), self.subtree[1:].tolist(), strict=True))
+        return sorted(pairs, key=lambda pair: int(self.first[pair[0]] - self.first[pair[1]]))
+
+
+def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: int = 1) -> Topology:
+    """Order and contract a network.
+
+    Parameters
+    ----------
+    tail, head : (m,) ends of its edges.
+    lon, lat : (n,) degrees.
+    """
+    n = len(lon)
+    near_first, near = neighbours(n, tail, head)
+    order = contraction_order(near_first, near, lon, lat, threads)
+    rank = np.empty(n, np.int32)
+    rank[order] = np.arange(n, dtype=np.int32)
+    first, up, parent = _contract(near_first, near, order, rank)
+    renumbered, subtree = _subtrees_together(first, parent, SHARE)
+    node = np.empty(n, np.int32)
+    node[renumbered] = order
+    rank[node] = np.arange(n, dtype=np.int32)
+    first, up, parent = _renumber(first, up, parent, renumbered)
+    triangle, triangle_first = _triangles(first, up)
+    place = _places(rank[tail], rank[head], first, up)
+    below_first, below = _below(first, up)
+    return Topology(
+        node, rank, first, up, parent, triangle, triangle_first, place, below_first, below, subtree
+    )
+
+
+@compiled
+def _contract(near_first: Ints, near: Ints, order: Ints, rank: Ints) -> tuple[Ints, Ints, Ints]:
+    n = len(order)
+    first = np.zeros(n + 1, np.int32)
+    parent = np.full(n, -1, np.int32)
+    # Children form linked lists; a node's later neighbours are its own and its children's.
+    child, sibling = np.full(n, -1, np.int32), np.full(n, -1, np.int32)
+    seen = np.full(n, -1, np.int32)
+    up = np.empty(2 * len(near) + 16, np.int32)
+    count = 0
+    for v in range(n):
+        seen[v] = v
+        if count + n - v > len(up):
+            larger = np.empty(2 * len(up) + n, np.int32)
+            larger[:count] = up[:count]
+            up = larger
+        least = n
+        x = order[v]
+        for slot in range(near_first[x], near_first[x + 1]):
+            u = rank[near[slot]]
+            if u > v and seen[u] != v:
+                seen[u] = v
+                up[count] = u
+                count += 1
+                least = min(least, u)
+        c = child[v]
+        while c >= 0:
+            for a in range(first[c], first[c + 1]):
+                u = up[a]
+                if seen[u] != v:
+                    seen[u] = v
+                    up[count] = u
+                    count += 1
+                    least = min(least, u)
+            c = sibling[c]
+        first[v + 1] = count
+        if least < n:
+            parent[v] = least
+            sibling[v] = child[least]
+            child[least] = v
+    return first, up[:count].copy(), parent
+
+
+@compiled
+def _subtrees_together(first: Ints, parent: Ints, share: int) -> tuple[Ints, Ints]:
+    """Return new ranks: subtrees of at most 1/share of the arcs one by one, then the top."""
+    n = len(parent)
+    size, arcs = np.ones(n, np.int32), np.empty(n, np.int64)
+    for v in range(n):
+        arcs[v] = first[v + 1] - first[v] + 1
+    for v in range(n):
+        if parent[v] >= 0:
+            size[parent[v]] += size[v]
+            arcs[parent[v]] += arcs[v]
+    most = (first[n] + n) // share + 1
+    top = 0
+    for v in range(n):
+        if arcs[v] > most:
+            top += 1
+    renumbered = np.empty(n, np.int32)
+    free = np.empty(n, np.int32)
+    starts, arcs_between = [0], [arcs[:0].sum()]
+    at, last = n - top, n
+    # Parents before children; each node's subtree takes the ranks just below its own.
+    for v in range(n - 1, -1, -1):
+        if arcs[v] > most:
+            last -= 1
+            renumbered[v] = last
+        elif parent[v] < 0 or arcs[parent[v]] > most:
+            renumbered[v] = at - 1
+            free[v] = at - 1
+            at -= size[v]
+            starts.append(at)
+            arcs_between.append(arcs[v])
+        else:
+            p = parent[v]
+            renumbered[v] = free[p] - 1
+            free[v] = free[p] - 1
+            free[p] -= size[v]
+    # Small neighbouring subtrees are joined, for a disconnected network has very many.
+    subtree = [n - top]
+    load = 0
+    low = n - top
+    for k in range(1, len(starts)):
+        load += arcs_between[k]
+        low = starts[k]
+        if load + (arcs_between[k + 1] if k + 1 < len(starts) else most) > most:
+            subtree.append(low)
+            load = 0
+    if subtree[-1] != 0:
+        subtree.append(0)
+    return renumbered, np.array(subtree[::-1], np.int32)
+
+
+@compiled
+def _renumber(first: Ints, up: Ints, parent: Ints, renumbered: Ints) -> tuple[Ints, Ints, Ints]:
+    n = len(parent)
+    # Filing arcs under their upper ends in order of the lower, and back again, sorts them.
+    new_first, below = np.zeros(n + 1, np.int32), np.zeros(n + 1, np.int32)
+    old = np.empty(n, np.int32)
+    new_parent = np.full(n, -1, np.int32)
+    for v in range(n):
+        old[renumbered[v]] = v
+        if parent[v] >= 0:
+            new_parent[renumbered[v]] = renumbered[parent[v]]
+    for v in range(n):
+        for a in range(first[old[v]], first[old[v] + 1]):
+            below[renumbered[up[a]] + 1] += 1
+        new_first[v + 1] = new_first[v] + first[old[v] + 1] - first[old[v]]
+    for v in range(n):
+        below[v + 1] += below[v]
+    lower = np.empty(len(up), np.int32)
+    at = below[:-1].copy()
+    for v in range(n):
+        for a in range(first[old[v]], first[old[v] + 1]):
+            u = renumbered[up[a]]
+            lower[at[u]] = v
+            at[u] += 1
+    new_up = np.empty(len(up), np.int32)
+    at = new_first[:-1].copy()
+    for u in range(n):
+        for k in range(below[u], below[u + 1]):
+            v = lower[k]
+            new_up[at[v]] = u
+            at[v] += 1
+    return new_first, new_up, new_parent
+
+
+@compiled
+def _triangles(first: Ints, up: Ints) -> tuple[Ints, Longs]:
+    n = len(first) - 1
+    begin = np.zeros(n + 1, np.int64)
+    for v in range(n):
+        k = first[v + 1] - first[v]
+        begin[v + 1] = begin[v] + k * (k - 1) // 2
+    found = np.empty(begin[n], np.int32)
+    t = 0
+    for v in range(n):
+        last = first[v + 1]
+        for i in range(first[v], last):
+            # The later neighbours of v are all neighbours of the i-th: one merge finds them.
+            a = first[up[i]]
+            for j in range(i + 1, last):
+                while up[a] != up[j]:
+                    a += 1
+                found[t] = a
+                t += 1
+    return found, begin
+
+
+@compiled
+def _below(first: Ints, up: Ints) -> tuple[Ints, Ints]:
+    n = len(first) - 1
+    begin, below = np.zeros(n + 1, np.int32), np.empty(len(up), np.int32)
+    for a in range(len(up)):
+        begin[up[a] + 1] += 1
+    for v in range(n):
+        begin[v + 1] += begin[v]
+    at = begin[:-1].copy()
+    for a in range(len(up)):
+        below[at[up[a]]] = a
+        at[up[a]] += 1
+    return begin, below
+
+
+@compiled
+def _places(tail: Ints, head: Ints, first: Ints, up: Ints) -> Ints:
+    place = np.empty(len(tail), np.int32)
+    for e in range(len(tail)):
+        low, high = min(tail[e], head[e]), max(tail[e], head[e])
+        if low == high:
+            place[e] = -1
+            continue
+        a, b = first[low], first[low + 1] - 1
+        while a < b:
+            middle = (a + b) // 2
+            if up[middle] < high:
+                a = middle + 1
+            else:
+                b = middle
+        place[e] = 2 * a + (tail[e] > head[e])
+    return place
