@@ -19,9 +19,9 @@ if TYPE_CHECKING:
         PlatoonError,
         ScenarioError,
     )
+    from .network.engines import many_to_many
     from .network.locate import Location
     from .network.road_network import RoadNetwork
-    from .network.search import many_to_many
     from .planning.cases import plan_members
     from .planning.joint import plan_joint
     from .planning.plans import JointPlan, VehiclePlan
@@ -44,7 +44,7 @@ _WHERE = {
     "ScenarioError": "errors",
     "Location": "network.locate",
     "RoadNetwork": "network.road_network",
-    "many_to_many": "network.search",
+    "many_to_many": "network.engines",
     "plan_members": "planning.cases",
     "plan_joint": "planning.joint",
     "JointPlan": "planning.plans",

@@ -41,6 +41,9 @@ PERIODS: dict[str, tuple[tuple[float, float, float], ...]] = {
 FITTED_RANGE_S = (0.0, 16200.0)
 """Driving times the curves can speak for: up to 4 h 30, the longest legal spell without a break."""
 
+GRID_S = 30.0
+"""How finely the running maximum looks between the moments it is asked for."""
+
 PHI = 96.06
 """Inflation of the paper's heuristic, eq. 11 of [1]_."""
 
@@ -90,8 +93,7 @@ class FatigueModel:
             raise ScenarioError(
                 f"fatigue form {self.form!r} is unknown; use as_printed, by_period or monotone"
             )
-        if not 0 <= self.task_relief <= 1:
-            raise ScenarioError(f"task_relief = {self.task_relief!r} must lie in [0, 1]")
+        _check_relief(self.task_relief)
 
     def along(self, clock_s: ArrayLike, hour_of_day: ArrayLike | None = None) -> Floats:
         """Fatigue along a journey.
@@ -107,6 +109,8 @@ class FatigueModel:
             If the clock leaves the range the curves were fitted for.
         """
         clock = np.asarray(clock_s, np.float64)
+        if not np.isfinite(clock).all():
+            raise ScenarioError("fatigue: the driving clock has a moment that is not finite")
         if clock.size and (clock.min() < FITTED_RANGE_S[0] or clock.max() > FITTED_RANGE_S[1]):
             warnings.warn(
                 f"fatigue: driving clock reaches {clock.max() / 3600:.1f} h, the curves hold up to "
@@ -122,8 +126,18 @@ class FatigueModel:
         printed = _printed(clock)
         if self.form == "as_printed":
             return printed
-        running: Floats = np.maximum.accumulate(printed)
+        # The maximum over all driving so far, so that few moments give the same as many.
+        grid = np.arange(0.0, max(float(clock.max(initial=0.0)), 0.0) + GRID_S, GRID_S)
+        so_far = np.maximum.accumulate(_printed(grid))
+        before = np.maximum(printed, so_far[np.maximum(clock // GRID_S, 0).astype(np.int64)])
+        running: Floats = np.maximum.accumulate(before)
         return running
+
+
+def _check_relief(task_relief: float) -> None:
+    is_number = isinstance(task_relief, int | float) and not isinstance(task_relief, bool)
+    if not (is_number and 0 <= task_relief <= 1):
+        raise ScenarioError(f"task_relief = {task_relief!r} must be a number in [0, 1]")
 
 
 def period_of_day(hour: ArrayLike) -> NDArray[np.int64]:
@@ -145,9 +159,21 @@ def driving_clock(
     Returns
     -------
     time_s, clock_s : (k,) from 0 to the journey's end.
+
+    Raises
+    ------
+    ScenarioError
+        A role, duration, step or relief that cannot be.
     """
+    _check_relief(task_relief)
+    if not step_s > 0:
+        raise ScenarioError(f"step_s = {step_s!r} must be above 0")
     times, clocks = [0.0], [0.0]
     for role, seconds in legs:
+        if role not in ("solo", "platoon"):
+            raise ScenarioError(f'leg role {role!r} is unknown; use "solo" or "platoon"')
+        if not 0 <= seconds < np.inf:
+            raise ScenarioError(f"leg of {seconds!r} s: a driving time is finite and 0 or more")
         rate = 1 - task_relief if role == "platoon" else 1.0
         count = max(1, int(np.ceil(seconds / step_s)))
         for _ in range(count):

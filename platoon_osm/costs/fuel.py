@@ -30,9 +30,11 @@ class FuelSaving:
     def __post_init__(self) -> None:
         for position in ("leader", "middle", "last"):
             share = getattr(self, position)
-            if not 0 <= share < 1:
+            is_number = isinstance(share, int | float) and not isinstance(share, bool)
+            if not (is_number and 0 <= share < 1):
                 raise ScenarioError(
-                    f"fuel saving {self.name!r}: {position} saves {share}; a share lies in [0, 1)"
+                    f"fuel saving {self.name!r}: {position} saves {share!r}; a share is a number "
+                    "in [0, 1)"
                 )
 
     def by_position(self, size: int) -> tuple[float, ...]:
@@ -69,7 +71,7 @@ def fuel_saving(preset: str | FuelSaving) -> FuelSaving:
     """
     if isinstance(preset, FuelSaving):
         return preset
-    if preset not in FUEL_SAVINGS:
+    if not isinstance(preset, str) or preset not in FUEL_SAVINGS:
         raise ScenarioError(
             f"fuel saving {preset!r} is unknown; use one of {', '.join(FUEL_SAVINGS)}"
         )

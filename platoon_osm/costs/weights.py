@@ -45,13 +45,23 @@ class EdgeWeights:
 
     def __post_init__(self) -> None:
         for label in ("solo", "platoon", "master"):
-            array = getattr(self, label)
-            if not (array >= 0).all():
+            array = np.asarray(getattr(self, label), np.float64)
+            if array.shape != (len(self.solo),):
                 raise ScenarioError(
-                    f"weights: {label} cost of edge {int(np.argmin(array >= 0))} is "
-                    f"{array[np.argmin(array >= 0)]}; costs must be 0 or more"
+                    f"weights: {label} has shape {array.shape}; one cost for each of "
+                    f"{len(self.solo)} edges is needed"
                 )
-            array.flags.writeable = False
+            right = np.isfinite(array) & (array >= 0)
+            if not right.all():
+                worst = int(np.argmin(right))
+                raise ScenarioError(
+                    f"weights: {label} cost of edge {worst} is {array[worst]}; costs must be "
+                    "finite and 0 or more"
+                )
+            # A copy, so that freezing it does not freeze the caller's own array.
+            frozen = array.copy()
+            frozen.flags.writeable = False
+            object.__setattr__(self, label, frozen)
 
 
 @dataclass(frozen=True, slots=True)

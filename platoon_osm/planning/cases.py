@@ -12,15 +12,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
+from ..network.best_pairs import best_pairs, entry_exit_costs, only_at
+from ..network.engines import EngineName, engine_for
 from ..network.road_network import RoadNetwork
-from ..network.search import ReferenceEngine
 
 __all__ = ["CASES", "Case", "MemberPlans", "best_pairs", "choose_points",
            "entry_exit_costs", "plan_members", "route_nodes"]  # fmt: skip
@@ -29,14 +30,6 @@ Case = Literal["A", "B", "C"]
 CASES = ("A", "B", "C", "D")
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
-
-TIE = 1e-11
-"""Costs that differ by less, relative to the cost alone, are equal: sums of the same edges in
-another order differ in their last digits, and the answer must not depend on it."""
-
-
-class _Distances(Protocol):
-    def distances(self, nodes: ArrayLike, forward: bool = True) -> Floats: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,6 +65,11 @@ def route_nodes(net: RoadNetwork, route: ArrayLike) -> Index:
     edges = np.asarray(route, np.int64)
     if not len(edges):
         raise ScenarioError("route: it has no edges; the master must drive somewhere")
+    outside = (edges < 0) | (edges >= net.m)
+    if outside.any():
+        raise ScenarioError(
+            f"route: edge {edges[np.argmax(outside)]}: the network has edges 0 to {net.m - 1}"
+        )
     if not np.array_equal(net.head[edges[:-1]], net.tail[edges[1:]]):
         raise ScenarioError("route: its edges do not follow each other; give them in driving order")
     return net.path_nodes(edges)
@@ -87,6 +85,7 @@ def plan_members(
     *,
     entries: Sequence[Iterable[int]] | None = None,
     exits: Sequence[Iterable[int]] | None = None,
+    engine: EngineName = "auto",
 ) -> MemberPlans:
     """Find where N members merge with a master and separate from it, at least cost to each.
 
@@ -97,6 +96,7 @@ def plan_members(
     case : "A" separates at the destination, "B" merges at the origin, "C" is free in both.
     entries, exits : for B and A, per member, the nodes that count as its origin and destination,
         where a place has several, such as both carriageways of a junction; by default the one.
+    engine : "reference", "hierarchy", or "auto" for the one that is likely faster.
 
     Returns
     -------
@@ -111,6 +111,10 @@ def plan_members(
     if case not in ("A", "B", "C"):
         raise ScenarioError(f'case {case!r}: one master and members are planned by "A", "B" or "C"')
     start, end = (np.atleast_1d(np.asarray(nodes, np.int64)) for nodes in (origins, destinations))
+    if start.shape != end.shape or start.ndim != 1:
+        raise ScenarioError(
+            f"members: {len(start)} origins and {len(end)} destinations; give one of each a member"
+        )
     for label, nodes in (("origin", start), ("destination", end)):
         outside = (nodes < 0) | (nodes >= net.n)
         if outside.any():
@@ -118,8 +122,24 @@ def plan_members(
                 f"{label} {nodes[np.argmax(outside)]}: the network has nodes 0 to {net.n - 1}"
             )
     nodes = route_nodes(net, route)
-    costs = entry_exit_costs(ReferenceEngine(net, weights.solo), nodes, start, end)
-    return choose_points(net, weights, route, start, end, case, costs, entries, exits)
+    edges = np.asarray(route, np.int64)
+    entry_at = _places_on(nodes, start, entries) if case == "B" else None
+    exit_at = _places_on(nodes, end, exits) if case == "A" else None
+    searches = min(len(np.unique(start)), len(nodes)) + min(len(np.unique(end)), len(nodes))
+    i, j, cost, solo = engine_for(net, weights.solo, engine, searches).best_on_route(
+        nodes, start, end, running_sum(weights.platoon[edges]), running_sum(net.length_m[edges]),
+        entry_at, exit_at,
+    )  # fmt: skip
+    restricted = entry_at or exit_at
+    return MemberPlans(
+        merge=np.where(i >= 0, nodes[i], -1),
+        separation=np.where(i >= 0, nodes[j], -1),
+        merge_index=i,
+        separation_index=j,
+        cost=cost,
+        solo_cost=solo,
+        applicable=np.diff(restricted[0]) > 0 if restricted else np.ones(len(solo), bool),
+    )
 
 
 def choose_points(
@@ -145,13 +165,14 @@ def choose_points(
     entry, leave, solo = costs
     nodes = route_nodes(net, route)
     edges = np.asarray(route, np.int64)
-    platoon = np.concatenate([[0.0], np.cumsum(weights.platoon[edges])])
-    length = np.concatenate([[0.0], np.cumsum(net.length_m[edges])])
+    platoon, length = running_sum(weights.platoon[edges]), running_sum(net.length_m[edges])
     applicable = np.ones(len(solo), bool)
     if case == "A":
-        leave, applicable = _only_at(leave, nodes, destinations, exits)
+        places = _places_on(nodes, destinations, exits)
+        leave, applicable = only_at(leave, places), np.diff(places[0]) > 0
     elif case == "B":
-        entry, applicable = _only_at(entry, nodes, origins, entries)
+        places = _places_on(nodes, origins, entries)
+        entry, applicable = only_at(entry, places), np.diff(places[0]) > 0
     if gain is None:
         i, j, cost = best_pairs(entry, leave, platoon, length, solo)
     else:
@@ -176,84 +197,24 @@ def choose_points(
     )
 
 
-def _only_at(
-    costs: Floats, nodes: Index, own: Index, places: Sequence[Iterable[int]] | None
-) -> tuple[Floats, NDArray[np.bool_]]:
-    """Keep costs only where a route node is the member's own place; inf elsewhere."""
-    allowed = nodes[None, :] == own[:, None]
-    if places is not None:
-        for row, members_nodes in enumerate(places):
-            allowed[row] |= np.isin(nodes, list(members_nodes))
-    return np.where(allowed, costs, np.inf), allowed.any(axis=1)
+def running_sum(values: Floats) -> Floats:
+    """Return the sums of the first 0, 1, .. K of K values (K + 1,)."""
+    return np.concatenate([[0.0], np.cumsum(values)])
 
 
-def entry_exit_costs(
-    engine: _Distances, nodes: Index, origins: Index, destinations: Index
-) -> tuple[Floats, Floats, Floats]:
-    """Return D(o, r_i) (N, K + 1), D(r_j, g) (N, K + 1) and D(o, g) (N,).
-
-    Searches from members or from the route's nodes, whichever are fewer.
-    """
-    few_members = len(np.unique(origins)) <= len(nodes)
-    if few_members:
-        away = engine.distances(origins)
-        entry, solo = away[:, nodes], away[np.arange(len(origins)), destinations]
-    else:
-        entry = engine.distances(nodes, forward=False)[:, origins].T
-        solo = _pair_costs(engine, origins, destinations)
-    if len(np.unique(destinations)) <= len(nodes):
-        leave = engine.distances(destinations, forward=False)[:, nodes]
-    else:
-        leave = engine.distances(nodes)[:, destinations].T
-    return entry, leave, solo
-
-
-def _pair_costs(engine: _Distances, origins: Index, destinations: Index) -> Floats:
-    forward = len(np.unique(origins)) <= len(np.unique(destinations))
-    sources, targets = (origins, destinations) if forward else (destinations, origins)
-    distinct, row = np.unique(sources, return_inverse=True)
-    result = np.empty(len(origins))
-    for begin in range(0, len(distinct), 256):
-        part = engine.distances(distinct[begin : begin + 256], forward)
-        mine = np.flatnonzero((row >= begin) & (row < begin + 256))
-        result[mine] = part[row[mine] - begin, targets[mine]]
-    return result
-
-
-def best_pairs(
-    entry: Floats, leave: Floats, platoon: Floats, length: Floats, solo: Floats
-) -> tuple[Index, Index, Floats]:
-    """Return for each member the best positions i < j on the route and the cost.
-
-    Parameters
-    ----------
-    entry, leave : (N, K + 1) costs alone to each route node, and from each to the destination.
-    platoon, length : (K + 1,) platoon weight and metres along the route up to each node.
-    solo : (N,) cost alone.
-
-    Returns
-    -------
-    i, j : (N,) -1 where staying alone is cheaper.
-    cost : (N,)
-    """
-    lead = np.minimum.accumulate(entry - platoon, axis=1)
-    total = lead + platoon + leave
-    least = total.min(axis=1, initial=np.inf)
-    slack = TIE * np.where(np.isfinite(solo), solo, np.where(np.isfinite(least), least, 0.0))
-    best_i = np.full(len(solo), -1, np.int64)
-    best_j = np.full(len(solo), -1, np.int64)
-    cost = solo.copy()
-    for member in np.flatnonzero(least <= solo + slack):
-        limit = least[member] + slack[member]
-        ends = np.flatnonzero(total[member] <= limit)
-        # The carried minimum never rises, so the first entry that is good enough is found by
-        # bisection; it is also the one with the longest platoon, for lengths only grow.
-        wanted = limit - platoon[ends] - leave[member, ends]
-        starts = np.searchsorted(-lead[member], -wanted, side="left")
-        together = length[ends] - length[np.minimum(starts, ends)]
-        best = int(np.lexsort((ends, starts, -together))[0])
-        i, j = int(starts[best]), int(ends[best])
-        if i < j and together[best] > 0:
-            best_i[member], best_j[member] = i, j
-            cost[member] = entry[member, i] + (platoon[j] - platoon[i]) + leave[member, j]
-    return best_i, best_j, cost
+def _places_on(
+    nodes: Index, own: Index, places: Sequence[Iterable[int]] | None
+) -> tuple[Index, Index]:
+    """Return where on the route each member's own place is, as first (N + 1,) and positions."""
+    if places is None:
+        order = np.argsort(nodes, kind="stable")
+        low, high = (np.searchsorted(nodes[order], own, side) for side in ("left", "right"))
+        first = np.concatenate([[0], np.cumsum(high - low)])
+        step = np.arange(first[-1]) - np.repeat(first[:-1], high - low)
+        return first, order[np.repeat(low, high - low) + step]
+    found = [
+        np.flatnonzero(np.isin(nodes, [mine, *others]))
+        for mine, others in zip(own.tolist(), places, strict=True)
+    ]
+    first = np.concatenate([[0], np.cumsum([len(at) for at in found])]).astype(np.int64)
+    return first, np.concatenate([np.zeros(0, np.int64), *found])

@@ -67,7 +67,9 @@ def _resolve(net: RoadNetwork, engine: ReferenceEngine, trip: Trip, per_metre: f
         for place in (trip.origin, trip.destination)
     )
     starts, ends = ([node for node, _ in place.candidates] for place in (start, end))
-    if start.node == end.node or (start.name == end.name and set(starts) & set(ends)):
+    same_spot = (start.lon, start.lat) == (end.lon, end.lat)
+    same_name = start.name == end.name and set(starts) & set(ends)
+    if start.node == end.node or same_spot or same_name:
         raise ScenarioError(
             f"trip {trip.vehicle!r}: origin and destination are the same place ({start.name}); "
             "give two different ones"

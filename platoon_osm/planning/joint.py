@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from .._version import __version__
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
+from ..network.best_pairs import entry_exit_costs
 from ..network.road_network import RoadNetwork
 from ..network.search import ReferenceEngine
-from .cases import CASES, MemberPlans, choose_points, entry_exit_costs, route_nodes
+from .cases import CASES, MemberPlans, choose_points, route_nodes
 from .ends import TripEnds, resolve_trips
 from .pair import plan_pair
 from .plans import JointPlan, VehiclePlan
@@ -142,12 +143,18 @@ def _plan(task: _Task, case: str, exact: DijkstraRouter, method: Method) -> Join
         float(task.weights.params.get("speed_kmh", 80.0)) / 3.6,
     )
     plan = _member_plan(task, case, router, "astar")
-    optimum = _member_plan(task, case, exact, "dijkstra").joint_cost
+    compared = _member_plan(task, case, exact, "dijkstra")
+    optimum, alone = compared.joint_cost, compared.solo_cost
     proof = {
         "kind": "heuristic",
         "optimum": optimum,
+        # May fall below 0: A* gives the master a longer route, which others may share more of.
         "excess": plan.joint_cost / optimum - 1 if optimum else 0.0,
-        "conditions": ["the inflated heuristic is not admissible; the optimum is Dijkstra's"],
+        "solo_excess": plan.solo_cost / alone - 1 if alone else 0.0,
+        "conditions": [
+            "the inflated heuristic is not admissible",
+            "the optimum is that of the same case along Dijkstra's route of the master",
+        ],
     }
     return replace(plan, proof=proof)
 
@@ -164,18 +171,26 @@ def _member_plan(task: _Task, case: Any, router: Router, method: Method) -> Join
     else:
         costs = _astar_costs(router, route_nodes(net, route), origins, destinations)
 
-    def choose(gain: NDArray[np.float64] | None = None) -> MemberPlans:
+    def choose(gain: NDArray[np.float64] | None, rows: Edges) -> MemberPlans:
+        entry, leave, solo = costs
+        some = [members[k] for k in rows]
         return choose_points(
-            net, weights, route, origins, destinations, case, costs,
-            [item.origins for item in members], [item.destinations for item in members], gain,
+            net, weights, route, origins[rows], destinations[rows], case,
+            (entry[rows], leave[rows], solo[rows]),
+            [item.origins for item in some], [item.destinations for item in some], gain,
         )  # fmt: skip
 
     proof: dict[str, Any] = {"kind": "exact", "conditions": [WAITING_FREE, ROUTE_FIXED]}
     if task.objective == "member" or not members:
-        chosen = choose()
+        chosen = choose(None, np.arange(len(members)))
     else:
         gain = (weights.solo - weights.master)[route]
-        found = choose_for_system(choose, np.maximum(gain, 0.0), len(members))
+        if (gain < 0).any():
+            raise ScenarioError(
+                f"objective 'system': edge {route[np.argmax(gain < 0)]} costs the master more in "
+                "company than alone; plan with objective 'member'"
+            )
+        found = choose_for_system(choose, gain, len(members))
         chosen = found.members
         master_alone = float(weights.solo[route].sum())
         cost, bound = found.cost + master_alone, found.bound + master_alone

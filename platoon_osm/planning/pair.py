@@ -15,13 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..costs.weights import EdgeWeights
+from ..network.best_pairs import TIE
+from ..network.engines import EngineName, LeastCosts, engine_for
 from ..network.road_network import RoadNetwork
-from ..network.search import ReferenceEngine, Tree
-from .cases import TIE
 
 __all__ = ["PairPlan", "plan_pair"]
 
 Edges = NDArray[np.int64]
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,20 +51,27 @@ def plan_pair(
     weights: EdgeWeights,
     origins: tuple[int, int],
     destinations: tuple[int, int],
+    engine: EngineName = "auto",
 ) -> PairPlan:
     """Plan two vehicles, the first leading where they drive together.
+
+    Parameters
+    ----------
+    engine : "reference", "hierarchy", or "auto" for the one that is likely faster.
 
     Raises
     ------
     NoRouteError
         If one of them cannot reach its destination even alone.
     """
-    alone = ReferenceEngine(net, weights.solo)
+    alone = engine_for(net, weights.solo, engine, 4)
     u = [alone.tree(node) for node in origins]
     v = [alone.tree(node, forward=False) for node in destinations]
     paths = [u[k].path(destinations[k]) for k in (0, 1)]
     solo_cost = float(u[0].dist[destinations[0]] + u[1].dist[destinations[1]])
-    together = ReferenceEngine(net, weights.master + weights.platoon).seeded(u[0].dist + u[1].dist)
+    pair_weight = weights.master + weights.platoon
+    seeds = u[0].dist + u[1].dist
+    together = engine_for(net, pair_weight, engine, 2).seeded(seeds)
     total = together.dist + v[0].dist + v[1].dist
     least = float(total.min(initial=np.inf))
     slack = TIE * solo_cost
@@ -73,8 +81,9 @@ def plan_pair(
     )
     if least > solo_cost + slack:
         return apart
-    shared, end = _longest(net, together, np.flatnonzero(total <= least + slack))
-    if not len(shared):
+    ends = np.flatnonzero(total <= least + slack)
+    shared, end = _longest(net, together, pair_weight, seeds, ends, slack)
+    if not len(shared) or (least >= solo_cost - slack and not net.length_m[shared].any()):
         return apart
     start = int(net.tail[shared[0]])
     return PairPlan(
@@ -88,12 +97,64 @@ def plan_pair(
     )
 
 
-def _longest(net: RoadNetwork, together: Tree, ends: NDArray[np.int64]) -> tuple[Edges, int]:
-    """Of equally good separation points take that with the longest shared stretch."""
-    best, best_key, best_end = np.zeros(0, np.int64), (-1.0, 0), -1
-    for end in ends.tolist():
-        path = together.path(end)
-        key = (float(net.length_m[path].sum()), -end)
-        if key > best_key:
-            best, best_key, best_end = path, key, end
-    return best, best_end
+def _longest(
+    net: RoadNetwork,
+    together: LeastCosts,
+    weight: Floats,
+    seeds: Floats,
+    ends: NDArray[np.int64],
+    slack: float,
+) -> tuple[Edges, int]:
+    """Of equally good shared stretches return the longest [m], and the node where it ends.
+
+    The tree holds one least-cost stretch to each node. All of them consist of tight edges: those
+    by which the label of their head can be reached.
+    """
+    label = together.dist
+    edges = _tight_edges(net, label, weight, ends, slack)
+    edges = edges[np.argsort(label[net.tail[edges]], kind="stable")]
+    longest = dict.fromkeys(np.flatnonzero(seeds <= label + slack).tolist(), 0.0)
+    by: dict[int, int] = {}
+    improved = True
+    # Edges of zero length join nodes of one label in any order, so one pass may not be enough.
+    while improved:
+        improved = False
+        for edge in edges.tolist():
+            head = int(net.head[edge])
+            reach = longest.get(int(net.tail[edge]), -np.inf) + float(net.length_m[edge])
+            if reach > longest.get(head, -np.inf):
+                longest[head], by[head], improved = reach, edge, True
+    reached = [node for node in ends.tolist() if node in longest]
+    if not reached:
+        # Only over edges that lead on at no cost; any stretch will do.
+        end = int(ends[0])
+        return together.path(end), end
+    end = max(reached, key=lambda node: (longest[node], -node))
+    stretch: list[int] = []
+    node = end
+    while node in by:
+        stretch.append(by[node])
+        node = int(net.tail[stretch[-1]])
+    return np.array(stretch[::-1], np.int64), end
+
+
+def _tight_edges(
+    net: RoadNetwork, label: Floats, weight: Floats, ends: NDArray[np.int64], slack: float
+) -> Edges:
+    """Return the tight edges on the ways to some nodes, found walking backwards from these."""
+    incoming, first_in = net.incoming()
+    found: list[int] = []
+    seen = set(ends.tolist())
+    queue = list(seen)
+    while queue:
+        node = queue.pop()
+        for edge in incoming[first_in[node] : first_in[node + 1]].tolist():
+            tail = int(net.tail[edge])
+            # An edge that leads on at no cost could be driven in circles for ever.
+            onward = label[tail] < label[node] or net.length_m[edge] == 0
+            if onward and label[tail] + weight[edge] <= label[node] + slack:
+                found.append(edge)
+                if tail not in seen:
+                    seen.add(tail)
+                    queue.append(tail)
+    return np.array(sorted(found), np.int64)

@@ -245,7 +245,8 @@ class JointPlan:
         """Write the plan as JSON, whole or not at all."""
         target = Path(path)
         temporary = target.with_name(target.name + ".tmp")
-        temporary.write_text(json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n")
+        text = json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n"
+        temporary.write_text(text, encoding="utf-8")
         temporary.replace(target)
 
 

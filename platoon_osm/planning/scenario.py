@@ -193,24 +193,31 @@ def _place(file: Path, where: str, key: str, value: Any) -> str | tuple[float, f
 def _csv_rows(file: Path, table: Path) -> list[tuple[str, dict[str, Any]]]:
     """Read trips from CSV: vehicle, origin, destination; places as names or "lon lat"."""
     try:
-        with table.open(encoding="utf-8", newline="") as handle:
+        # Spreadsheets write a byte order mark, which is no part of the first key.
+        with table.open(encoding="utf-8-sig", newline="") as handle:
             rows = list(csv.DictReader(handle))
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ScenarioError(f"{file}: trips file {table} cannot be read ({error})") from error
     if not rows:
         raise ScenarioError(f"{file}: trips file {table} has no rows under its header")
     return [
         (
             f"{table.name} line {number}",
-            {key: _maybe_pair(value) for key, value in row.items() if key is not None},
+            {
+                # Cells beyond the header's come under the key None.
+                key or "a cell beyond the header": value if key == "vehicle" else _maybe_pair(value)
+                for key, value in row.items()
+            },
         )
         for number, row in enumerate(rows, 2)
     ]
 
 
-def _maybe_pair(text: str | None) -> Any:
-    parts = (text or "").split()
+def _maybe_pair(text: Any) -> Any:
+    if not isinstance(text, str):
+        return ""
+    parts = text.split()
     try:
-        return [float(part) for part in parts] if len(parts) == 2 else text or ""
+        return [float(part) for part in parts] if len(parts) == 2 else text
     except ValueError:
         return text

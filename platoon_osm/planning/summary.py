@@ -62,7 +62,8 @@ def _row(plan: JointPlan, vehicle: VehiclePlan) -> tuple[str, ...]:
 
 def _events(vehicle: VehiclePlan) -> list[str]:
     if vehicle.merge is not None and vehicle.separation is not None:
-        partners = sorted({name for leg in vehicle.legs for name in leg.partners})
+        # Those it meets there; others may join later, and their own line says where.
+        partners = next(leg.partners for leg in vehicle.legs if leg.role == "platoon")
         return [
             f"{vehicle.vehicle} merges with {' and '.join(partners)} at {vehicle.merge.name} "
             f"(its km {vehicle.merge.km:,.0f}), separates at {vehicle.separation.name} "
@@ -78,7 +79,9 @@ def _proof(plan: JointPlan) -> str:
         return f"Proved optimal ({conditions})."
     if kind == "bound":
         return f"At most {plan.proof['gap']:.3%} above the optimum ({conditions})."
+    excess = plan.proof["excess"]
+    side = "above" if excess >= 0 else "below"
     return (
-        f"Found by the paper's inflated A*: {plan.proof['excess']:.2%} above the optimum "
-        f"({conditions})."
+        f"Found by the paper's inflated A*: {abs(excess):.2%} {side} the optimum ({conditions}); "
+        f"its routes alone cost {plan.proof['solo_excess']:.2%} above the least."
     )

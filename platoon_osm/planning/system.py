@@ -1,7 +1,7 @@
 """The system objective: members choose for everyone, since the master saves where it has company.
 
 The master saves on an edge once, however many members are there. So members' choices hang
-together, and the plan is found by turns; a bound from shared-out gains says how good it is.
+together, and the plan is found by turns; a Lagrangian bound says how good it is.
 """
 
 from __future__ import annotations
@@ -12,12 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..network.best_pairs import TIE
 from .cases import MemberPlans
 
-__all__ = ["SystemChoice", "choose_for_system"]
+__all__ = ["SystemChoice", "choose_for_system", "lower_bound"]
 
 Floats = NDArray[np.float64]
-Choose = Callable[[Floats], MemberPlans]
+Choose = Callable[[Floats, NDArray[np.int64]], MemberPlans]
 
 ROUNDS = 60
 
@@ -42,34 +43,61 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
     """Choose merging and separation points for members and master together.
 
     For one member the answer is exact. For more, each takes its best turn while the others hold
-    theirs, from several starts. The lower bound is Lagrangian: the master's gain on each edge is
-    shared out among members (shares that add up to one), which makes them independent; the shares
-    move towards the members that use the edge.
+    theirs, from several starts. The lower bound is Lagrangian: the master saves on an edge only
+    if some member is there; at a price p in [0, gain] for that condition each member may count p
+    on every edge it uses, however many others do, and gain - p is granted in advance. This makes
+    members independent, and prices fall where many members crowd and rise where none is.
 
     Parameters
     ----------
-    choose : plans all members, given (N, K) what each gains for others on each edge.
-    gain : (K,) what the master saves on each edge of its route if it has company there.
+    choose : plans some members, given what each gains for others on each edge (k, K) and which
+        they are (k,).
+    gain : (K,) what the master saves on each edge of its route if it has company there; 0 or more.
     members : N.
     """
-    share = np.full((members, len(gain)), 1.0 / max(members, 1))
-    best: MemberPlans | None = None
-    best_cost, bound = np.inf, -np.inf
-    for step in range(1 if members < 2 else ROUNDS):
-        relaxed = choose(share * gain)
-        bound = max(bound, _relaxed_cost(relaxed, share * gain))
-        improved = _by_turns(choose, relaxed, gain)
-        cost = _cost(improved, gain)
-        if cost < best_cost:
-            best, best_cost = improved, cost
-        if best_cost - bound <= 1e-9 * abs(best_cost):
+    everyone = np.arange(members)
+
+    def choose_all(gains: Floats) -> MemberPlans:
+        return choose(np.broadcast_to(gains, (members, len(gain))), everyone)
+
+    best = _by_turns(choose, choose_all(np.zeros_like(gain)), gain)
+    best_cost, bound = _cost(best, gain), -np.inf
+    price, scale = gain.copy(), 1.0
+    seen: set[bytes] = set()
+    for _ in range(ROUNDS):
+        relaxed = choose_all(price)
+        users = _covered(relaxed, len(gain)).sum(axis=0)
+        value = lower_bound(relaxed, price, gain)
+        scale = scale if value > bound else scale / 2
+        bound = max(bound, value)
+        points = relaxed.merge_index.tobytes() + relaxed.separation_index.tobytes()
+        if points not in seen:
+            seen.add(points)
+            improved = _by_turns(choose, relaxed, gain)
+            if (cost := _cost(improved, gain)) < best_cost:
+                best, best_cost = improved, cost
+        slope = np.where((price >= gain) & (users < 1), 0.0, 1.0 - users)
+        slope[(price <= 0) & (users > 1)] = 0.0
+        if best_cost - bound <= 1e-9 * abs(best_cost) or not slope.any():
             break
-        used = _covered(relaxed, len(gain)).astype(np.float64)
-        users = used.sum(axis=0)
-        wanted = np.where(users > 0, used / np.maximum(users, 1), share)
-        share += (wanted - share) / (step + 2)
-    assert best is not None
+        step = scale * (best_cost - value) / float((slope**2).sum())
+        price = np.clip(price + step * slope, 0.0, gain)
     return SystemChoice(best, best_cost, min(bound, best_cost))
+
+
+def lower_bound(relaxed: MemberPlans, price: Floats, gain: Floats) -> float:
+    """Return the bound that prices prove, given the members' best choices at them.
+
+    Parameters
+    ----------
+    relaxed : best plans if each member gains the price on every edge it uses.
+    price : (K,) between 0 and the gain.
+    gain : (K,) what the master saves on each edge if it has company there.
+    """
+    users = _covered(relaxed, len(gain)).sum(axis=0)
+    # The kernel calls costs equal that differ by a hair; the bound allows for it.
+    hair = TIE * float(relaxed.solo_cost.sum())
+    return float(relaxed.cost.sum() - (price * users).sum() - (gain - price).sum()) - hair
 
 
 def _covered(plans: MemberPlans, edges: int) -> NDArray[np.bool_]:
@@ -87,22 +115,17 @@ def _cost(plans: MemberPlans, gain: Floats) -> float:
     return float(plans.cost.sum() - gain[_covered(plans, len(gain)).any(axis=0)].sum())
 
 
-def _relaxed_cost(plans: MemberPlans, gains: Floats) -> float:
-    return float(plans.cost.sum() - gains[_covered(plans, gains.shape[1])].sum())
-
-
 def _by_turns(choose: Choose, plans: MemberPlans, gain: Floats) -> MemberPlans:
     """Let one member after another improve its choice until nobody can."""
-    members = len(plans.cost)
     cost = _cost(plans, gain)
     for _ in range(20):
         before = cost
-        for member in range(members):
-            covered = _covered(plans, len(gain))
-            others = np.delete(covered, member, axis=0).any(axis=0)
-            wanted = np.zeros(covered.shape)
-            wanted[member] = np.where(others, 0.0, gain)
-            candidate = _with_row(plans, choose(wanted), member)
+        for member in range(len(plans.cost)):
+            company = _covered(plans, len(gain))
+            company[member] = False
+            alone_there = np.where(company.any(axis=0), 0.0, gain)
+            turn = choose(alone_there[None, :], np.array([member]))
+            candidate = _with_row(plans, turn, member)
             if (new := _cost(candidate, gain)) < cost - 1e-12 * abs(cost):
                 plans, cost = candidate, new
         if cost >= before:
@@ -110,10 +133,11 @@ def _by_turns(choose: Choose, plans: MemberPlans, gain: Floats) -> MemberPlans:
     return plans
 
 
-def _with_row(plans: MemberPlans, other: MemberPlans, row: int) -> MemberPlans:
+def _with_row(plans: MemberPlans, turn: MemberPlans, row: int) -> MemberPlans:
+    """Put the one member of `turn` in place of a row."""
     columns = []
     for name in MemberPlans.__slots__:
         column = getattr(plans, name).copy()
-        column[row] = getattr(other, name)[row]
+        column[row] = getattr(turn, name)[0]
         columns.append(column)
     return MemberPlans(*columns)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from ..errors import ScenarioError
 from ..network.locate import Location
 
@@ -30,6 +32,9 @@ class Trip:
             raise ScenarioError(f"trip: vehicle name {self.vehicle!r} must be a non-empty text")
         for end in ("origin", "destination"):
             value: Any = getattr(self, end)
+            if isinstance(value, np.integer):
+                value = int(value)
+                object.__setattr__(self, end, value)
             if isinstance(value, bool) or not isinstance(value, Location | int):
                 raise ScenarioError(
                     f"trip {self.vehicle!r}: {end} {value!r} must be a node or come from net.locate"

@@ -1,0 +1,88 @@
+"""Plans as records: immutable, with totals and a JSON form that is checked on reading."""
+
+import dataclasses
+import json
+
+import pytest
+from random_networks import network
+
+from platoon_osm.costs.weights import paper_weights
+from platoon_osm.errors import ScenarioError
+from platoon_osm.planning.joint import plan_joint
+from platoon_osm.planning.plans import JointPlan
+from platoon_osm.planning.trips import Trip
+
+
+@pytest.fixture
+def plan():
+    """A drives 0 to 3 with B between 1 and 2, each edge 10 km."""
+    net = network([0, 1, 2, 2, 4], [1, 2, 3, 5, 1], [10e3] * 5)
+    return plan_joint(net, paper_weights(net), [Trip("A", 0, 3), Trip("B", 4, 5)], "C", master="A")
+
+
+def test_totals_by_hand(plan):
+    solo, platoon = 37 / 12 * 10e3, 2.1476 * 10e3
+    for vehicle in plan.vehicles:
+        assert vehicle.solo_cost == pytest.approx(3 * solo)
+        assert vehicle.joint_cost == pytest.approx(2 * solo + platoon)
+        assert vehicle.length_m == pytest.approx(30e3)
+        assert vehicle.platoon_m == pytest.approx(10e3)
+        assert vehicle.time_s == pytest.approx(30e3 / (80 / 3.6))
+        assert vehicle.fuel_l == pytest.approx(0.32 * (20 + 8.2))
+        assert vehicle.saving == pytest.approx(1 - (2 * solo + platoon) / (3 * solo))
+    assert plan.joint_cost == pytest.approx(2 * (2 * solo + platoon))
+    assert plan.solo_cost == pytest.approx(6 * solo)
+    assert plan.platoon_m == pytest.approx(20e3)
+    assert plan.saving == pytest.approx(plan.vehicles[0].saving)
+    assert [vehicle.vehicle for vehicle in plan.members] == ["B"]
+
+
+def test_a_plan_cannot_be_changed(plan):
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        plan.case = "D"
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        plan.vehicles[0].role = "alone"
+
+
+def test_written_file_is_the_plan(plan, tmp_path):
+    file = tmp_path / "plan.json"
+    plan.write_json(file)
+    assert JointPlan.from_dict(json.loads(file.read_text(encoding="utf-8"))) == plan
+    assert [path.name for path in tmp_path.iterdir()] == ["plan.json"]
+
+
+def test_names_with_accents_survive(tmp_path):
+    net = network([0, 1], [1, 2], [1e3, 1e3])
+    plan = plan_joint(net, paper_weights(net), [Trip("Žiga ü", 0, 2)], "C")
+    plan.write_json(tmp_path / "plan.json")
+    assert "Žiga ü" in (tmp_path / "plan.json").read_bytes().decode("utf-8")
+
+
+@pytest.mark.parametrize("version", [0, 2, None, "1"])
+def test_another_version_is_refused(plan, version):
+    with pytest.raises(ScenarioError, match=r"this version reads 1; plan again$"):
+        JointPlan.from_dict({**plan.to_dict(), "plan_version": version})
+
+
+@pytest.mark.parametrize("data", [[], None, "plan", {}])
+def test_something_else_is_refused(data):
+    with pytest.raises(ScenarioError, match="format version None"):
+        JointPlan.from_dict(data)
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [{"vehicles": None}, {"vehicles": [{}]}, {"vehicles": [1]}, {"network": {}}, {"colour": "red"},
+     {"remarks": None}],
+)  # fmt: skip
+def test_a_damaged_plan_is_refused(plan, damage):
+    with pytest.raises(ScenarioError, match="damaged, plan again") as error:
+        JointPlan.from_dict({**plan.to_dict(), **damage})
+    assert "\n" not in str(error.value)
+
+
+def test_a_plan_with_a_part_missing_is_refused(plan):
+    data = plan.to_dict()
+    del data["vehicles"]
+    with pytest.raises(ScenarioError, match="'vehicles' does not fit"):
+        JointPlan.from_dict(data)
