@@ -31,7 +31,7 @@ class _Parser(argparse.ArgumentParser):
     """An argument parser that says what is wrong in one line."""
 
     def error(self, message: str) -> NoReturn:
-        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+        self.exit(2, _printable(f"{self.prog}: {message}; see {self.prog} --help") + "\n")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -51,10 +51,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _refuse(message: str) -> int:
-    # Names from maps reach messages; control characters in them must not reach the terminal.
-    line = "".join(c if c.isprintable() else " " for c in message)
-    sys.stderr.write(f"platoon-osm: {line}\n")
+    sys.stderr.write(f"platoon-osm: {_printable(message)}\n")
     return 2
+
+
+def _printable(message: str) -> str:
+    # Names from maps reach messages; control characters in them must not reach the terminal.
+    return "".join(c if c.isprintable() else " " for c in message)
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -236,6 +239,8 @@ def _plan(options: argparse.Namespace) -> None:
     for path in outputs:
         if not path.parent.is_dir():
             raise ScenarioError(f"{path}: its folder does not exist; make it first")
+        if path.is_dir():
+            raise ScenarioError(f"{path}: is a folder; give the name of a file to write")
     with _steps(2 + len(outputs)) as begin:
         begin(f"loading {scenario.network['source']}")
         net = load_network(**scenario.network)
