@@ -1,7 +1,7 @@
 """Roads and places of an OSM file, filtered and decoded in C++, before anyone interprets them.
 
 libosmium filters the file, writes what is left as OPL, its line format, and gives the coordinates
-each way in one piece; numpy then reads all node lists in one go. That is faster than touching each
+of each way in one piece; numpy then reads all node lists in one go. That is faster than touching each
 node and tag from Python, and no Python runs for objects that are not roads or named places.
 """
 
