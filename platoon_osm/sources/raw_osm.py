@@ -1,8 +1,8 @@
 """Roads and places of an OSM file, filtered and decoded in C++, before anyone interprets them.
 
 libosmium filters the file, writes what is left as OPL, its line format, and gives the coordinates
-of each way in one piece; numpy then reads all node lists in one go. That is faster than touching each
-node and tag from Python, and no Python runs for objects that are not roads or named places.
+of each way in one piece; numpy then reads all node lists in one go. That is faster than touching
+each node and tag from Python, and no Python runs for objects that are not roads or named places.
 """
 
 from __future__ import annotations
