@@ -16,7 +16,9 @@ from platoon_osm.planning.trips import Trip
 
 
 def place(name, *candidates):
-    return Location(candidates[0][0], name, 9.0, 45.0, 0.0, tuple(candidates))
+    # Places of different names lie apart, as they do on a map.
+    lon = 9.0 + sum(map(ord, name)) / 1000
+    return Location(candidates[0][0], name, lon, 45.0, 0.0, tuple(candidates))
 
 
 def resolve(net, *trips):
@@ -115,3 +117,10 @@ def test_no_way_names_both_ends_and_the_network(two_carriageways):
 def test_names_must_differ(two_carriageways):
     with pytest.raises(ScenarioError, match="vehicle 'B' has 2 trips; names must differ"):
         resolve(two_carriageways, Trip("A", 0, 1), Trip("B", 0, 1), Trip("B", 0, 2))
+
+
+def test_one_spot_is_one_place_even_if_its_ends_snap_to_two_nodes(two_carriageways):
+    start = Location(0, "exit 1", 9.0, 45.0, 10.0, ((0, 10.0),))
+    end = Location(1, "exit 2", 9.0, 45.0, 10.0, ((1, 10.0),))
+    with pytest.raises(ScenarioError, match="same place"):
+        resolve(two_carriageways, Trip("A", start, end))
