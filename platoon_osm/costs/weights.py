@@ -17,10 +17,12 @@ from numpy.typing import NDArray
 
 from ..errors import ScenarioError
 from ..network.road_network import RoadNetwork
+from .fuel import fuel_saving
 
 __all__ = ["EdgeWeights", "Mixing", "PaperCosts", "paper_weights"]
 
 Mixing = Literal["printed", "gain"]
+Position = Literal["leader", "follower"]
 Floats = NDArray[np.float64]
 
 
@@ -35,6 +37,8 @@ class EdgeWeights:
         `platoon` where the lead is rotated.
     unit : of the costs.
     params : everything they were made from, for the record.
+    fuel_l_per_m : litres a metre alone, as the master of a platoon, and as a member of one; for the
+        fuel figures of a plan, not for its choice.
     """
 
     solo: Floats
@@ -42,6 +46,7 @@ class EdgeWeights:
     master: Floats
     unit: str
     params: Mapping[str, Any]
+    fuel_l_per_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def __post_init__(self) -> None:
         for label in ("solo", "platoon", "master"):
@@ -72,7 +77,9 @@ class PaperCosts:
     ----------
     tau, xi : [0, 1], weights of time and fuel in a platoon (eq. 13).
     mixing : "printed" is eq. 13 as it stands; "gain" reads tau and xi as gains (method.md, 1).
-    fuel_saving : s, share of fuel saved in a platoon, [0, 1).
+    fuel_saving : s, share of fuel saved in a platoon, [0, 1), by each vehicle: the lead is rotated.
+    positions : name of a preset of `FUEL_SAVINGS` if the lead is not rotated: the master leads and
+        saves the leader's share, members save the follower's; it stands in place of `fuel_saving`.
     speed_kmh : v_c, cruising speed.
     rest_s, driving_s : T_r and T_EU, 45 min of rest for 9 h of driving.
     fuel_l_per_100km : f; it cancels in the cost (kappa_FC = 1 / f) and serves the fuel figures.
@@ -82,6 +89,7 @@ class PaperCosts:
     xi: float = 0.18
     mixing: Mixing = "printed"
     fuel_saving: float = 0.18
+    positions: str | None = None
     speed_kmh: float = 110.0
     rest_s: float = 2700.0
     driving_s: float = 32400.0
@@ -99,6 +107,20 @@ class PaperCosts:
                 raise ScenarioError(f"{name} = {value!r} must be a number in [{low:g}, {high:g}]")
         if self.mixing not in ("printed", "gain"):
             raise ScenarioError(f'mixing = {self.mixing!r} must be "printed" or "gain"')
+        if self.positions is not None:
+            fuel_saving(self.positions)
+            if self.mixing == "gain":
+                raise ScenarioError(
+                    f'positions = {self.positions!r} needs mixing = "printed": read as gains, xi '
+                    "is the saving itself"
+                )
+
+    def saving(self, position: Position = "follower") -> float:
+        """Share of fuel saved at a position in the platoon."""
+        if self.positions is None:
+            return self.fuel_saving
+        preset = fuel_saving(self.positions)
+        return preset.leader if position == "leader" else preset.last
 
     # Each method is one of the paper's symbols, per metre of road.
 
@@ -114,23 +136,23 @@ class PaperCosts:
         """C_FC(I) / d [l/m], eq. 5 of [1]_."""
         return self.fuel_l_per_100km / 100_000
 
-    def fuel_platoon(self) -> float:
+    def fuel_platoon(self, position: Position = "follower") -> float:
         """C_FC(P) / d [l/m], eq. 5 of [1]_."""
-        return (1 - self.fuel_saving) * self.fuel_alone()
+        return (1 - self.saving(position)) * self.fuel_alone()
 
     def solo_factor(self) -> float:
         """w_I / d, eq. 12 of [1]_: distance, time and fuel, each rescaled to metres by kappa."""
         kappa_t, kappa_fc = self.speed_kmh / 3.6, 1 / self.fuel_alone()
         return 1 + kappa_t * self.travel_alone() + kappa_fc * self.fuel_alone()
 
-    def platoon_factor(self) -> float:
+    def platoon_factor(self, position: Position = "follower") -> float:
         """w_P / d, eq. 13 of [1]_, or its reading as gains."""
         kappa_t, kappa_fc = self.speed_kmh / 3.6, 1 / self.fuel_alone()
         if self.mixing == "printed":
             return (
                 1
                 + self.tau * kappa_t * self.travel_platoon()
-                + self.xi * kappa_fc * self.fuel_platoon()
+                + self.xi * kappa_fc * self.fuel_platoon(position)
             )
         waiting_saved = self.travel_alone() - self.travel_platoon()
         return (
@@ -162,11 +184,13 @@ def paper_weights(net: RoadNetwork, costs: PaperCosts | None = None, **params: A
                 + ", ".join(PaperCosts.__slots__)
             )
         costs = PaperCosts(**params)
-    platoon = net.length_m * costs.platoon_factor()
     return EdgeWeights(
         solo=net.length_m * costs.solo_factor(),
-        platoon=platoon,
-        master=platoon,
+        platoon=net.length_m * costs.platoon_factor("follower"),
+        master=net.length_m * costs.platoon_factor("leader"),
         unit="m",
         params={"preset": "paper", **asdict(costs)},
-    )
+        fuel_l_per_m=(
+            costs.fuel_alone(), costs.fuel_platoon("leader"), costs.fuel_platoon("follower")
+        ),
+    )  # fmt: skip

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,23 +100,18 @@ def _leg(
 ) -> Leg:
     weight = weights.solo if role == "solo" else weights.master if master else weights.platoon
     length = net.length_m[edges]
-    litres_per_m = _number(weights, "fuel_l_per_100km") / 100_000
-    kept = 1.0 if role == "solo" else 1 - _number(weights, "fuel_saving")
+    alone, leading, following = weights.fuel_l_per_m
+    litres_per_m = alone if role == "solo" else leading if master else following
     return Leg(
         role=role,
         edges=tuple(int(edge) for edge in edges),
         partners=tuple(partners),
         length_m=float(length.sum()),
         time_s=float((length / net.speed_mps[edges]).sum()),
-        fuel_l=float(length.sum()) * litres_per_m * kept,
+        fuel_l=float(length.sum()) * litres_per_m,
         cost=float(weight[edges].sum()),
         inferred_m=float(length[net.inferred[edges]].sum()),
     )
-
-
-def _number(weights: EdgeWeights, name: str) -> float:
-    value: Any = weights.params.get(name, 0.0)
-    return float(value)
 
 
 def _stop(net: RoadNetwork, node: int, name: str) -> Stop:

@@ -115,7 +115,8 @@ def test_params_record_everything(net):
     params = paper_weights(net, tau=0.25, mixing="gain").params
     assert params == {
         "preset": "paper", "tau": 0.25, "xi": 0.18, "mixing": "gain", "fuel_saving": 0.18,
-        "speed_kmh": 110.0, "rest_s": 2700.0, "driving_s": 32400.0, "fuel_l_per_100km": 32.0,
+        "positions": None, "speed_kmh": 110.0, "rest_s": 2700.0, "driving_s": 32400.0,
+        "fuel_l_per_100km": 32.0,
     }  # fmt: skip
 
 
@@ -170,3 +171,18 @@ def test_a_weight_that_is_no_cost_names_the_edge(name, value):
 def test_weights_of_different_sizes():
     with pytest.raises(ScenarioError, match=r"^weights: platoon has shape \(2,\); .* 3 edges"):
         EdgeWeights(np.ones(3), np.ones(2), np.ones(3), "m", {})
+
+
+def test_by_position_the_master_saves_what_a_leader_saves(net):
+    weights = paper_weights(net, tau=1, xi=1, positions="nacfe")
+    # 1 + 1 + (1 - s): nacfe saves 4 % in the lead and 10 % behind.
+    assert weights.master == pytest.approx(net.length_m * 2.96)
+    assert weights.platoon == pytest.approx(net.length_m * 2.90)
+    assert weights.fuel_l_per_m == pytest.approx((32e-5, 0.96 * 32e-5, 0.9 * 32e-5))
+
+
+def test_positions_must_be_known_and_need_the_printed_mixing(net):
+    with pytest.raises(ScenarioError, match="nacfe"):
+        paper_weights(net, positions="convoy")
+    with pytest.raises(ScenarioError, match="printed"):
+        paper_weights(net, positions="nacfe", mixing="gain")

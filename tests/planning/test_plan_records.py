@@ -86,3 +86,13 @@ def test_a_plan_with_a_part_missing_is_refused(plan):
     del data["vehicles"]
     with pytest.raises(ScenarioError, match="'vehicles' does not fit"):
         JointPlan.from_dict(data)
+
+
+def test_fuel_by_position_is_the_leaders_for_the_master_and_the_followers_for_members():
+    net = network([0, 1, 2], [1, 2, 3], [100e3, 100e3, 100e3])
+    weights = paper_weights(net, positions="nacfe", fuel_l_per_100km=30)
+    plan = plan_joint(net, weights, [Trip("A", 0, 3), Trip("B", 1, 2)], case="C")
+    master, member = plan.vehicles
+    # 30 l a 100 km; on the shared 100 km the master saves 4 %, the member 10 %.
+    assert master.fuel_l == pytest.approx(30 + 30 * 0.96 + 30)
+    assert member.fuel_l == pytest.approx(30 * 0.90)
