@@ -1,5 +1,7 @@
 """Run all benchmarks: `python -m benchmarks`."""
 
-from . import california
+from . import california, engines, study
 
 california.main()
+study.main()
+engines.main()

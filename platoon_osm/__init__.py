@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     from .report.gis import to_geodataframe, write_geopackage
     from .report.page import write_html
     from .sources.load import load_network
+    from .sources.synthetic import RandomNetwork
+    from .study.monte_carlo import StudyResult, run_study
+    from .study.road_trips import RoadTrips
+    from .study.settings import PAPER_STUDY, Study
 
 _WHERE = {
     "FatigueModel": "costs.fatigue",
@@ -54,10 +58,17 @@ _WHERE = {
     "write_geopackage": "report.gis",
     "write_html": "report.page",
     "load_network": "sources.load",
+    "RandomNetwork": "sources.synthetic",
+    "RoadTrips": "study.road_trips",
+    "PAPER_STUDY": "study.settings",
+    "Study": "study.settings",
+    "StudyResult": "study.monte_carlo",
+    "run_study": "study.monte_carlo",
 }
 
 __all__ = [
     "FUEL_SAVINGS",
+    "PAPER_STUDY",
     "EdgeWeights",
     "FatigueModel",
     "FuelSaving",
@@ -68,8 +79,12 @@ __all__ = [
     "NoRouteError",
     "PaperCosts",
     "PlatoonError",
+    "RandomNetwork",
     "RoadNetwork",
+    "RoadTrips",
     "ScenarioError",
+    "Study",
+    "StudyResult",
     "Trip",
     "VehiclePlan",
     "__version__",
@@ -78,6 +93,7 @@ __all__ = [
     "paper_weights",
     "plan_joint",
     "plan_members",
+    "run_study",
     "to_geodataframe",
     "write_geopackage",
     "write_html",

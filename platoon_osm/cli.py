@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 
 from ._version import __version__
 from .errors import PlatoonError, ScenarioError
+from .study.options import add_study_options
 
 __all__ = ["main"]
 
@@ -24,6 +25,7 @@ EPILOG = """examples:
   platoon-osm download "Oberfranken, Germany" -o oberfranken.graphml
   platoon-osm prepare germany.osm.pbf --country DE -o germany.platoon
   platoon-osm plan corridor.toml --html plan.html --gpkg plan.gpkg
+  platoon-osm study --runs 100 --seed 0 -o out/study
 """
 
 
@@ -102,6 +104,18 @@ def _parser() -> argparse.ArgumentParser:
     plan.add_argument("--json", type=Path, help="plan as JSON to write")
     plan.add_argument("--case", help="A, B, C, D or best, instead of the scenario's")
     plan.set_defaults(run=_plan)
+
+    study = verbs.add_parser("study", help="repeat the paper's experiment, beside its numbers")
+    add_study_options(study)
+    study.set_defaults(run=_study)
+
+    warmup = verbs.add_parser(
+        "warmup", help="compile the fast engine once, and prepare networks for it",
+        description="Compile the fast engine, which takes about half a minute once, so that no "
+        "plan waits for it; and build the hierarchy of saved networks (.platoon).",
+    )  # fmt: skip
+    warmup.add_argument("networks", nargs="*", type=Path, help="saved networks, from `prepare`")
+    warmup.set_defaults(run=_warmup)
     return parser
 
 
@@ -262,6 +276,25 @@ def _plan(options: argparse.Namespace) -> None:
     _say(plan.summary())
     for path in outputs:
         _say(f"Written: {path}")
+
+
+def _study(options: argparse.Namespace) -> None:
+    from .study.command import run_command
+
+    run_command(options, _say)
+
+
+def _warmup(options: argparse.Namespace) -> None:
+    from .network.engines import prepare, warm_up
+    from .network.store import open_network
+
+    with _steps(1 + len(options.networks)) as step:
+        step("compiling")
+        seconds = warm_up()
+        for path in options.networks:
+            step(f"preparing {path.name}")
+            prepare(open_network(path))
+    _say(f"The fast engine is ready ({seconds:.1f} s).")
 
 
 if __name__ == "__main__":

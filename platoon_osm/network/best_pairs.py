@@ -94,7 +94,10 @@ def best_pairs(
     cost : (N,)
     """
     lead = np.minimum.accumulate(entry - platoon, axis=1)
-    total = lead + platoon + leave
+    # Strictly i < j: with costs that are not least costs, as A*'s are not, a detour over one node of
+    # the route may seem cheaper than both staying alone and a platoon, and hide the platoon.
+    total = np.full(entry.shape, np.inf)
+    total[:, 1:] = lead[:, :-1] + platoon[1:] + leave[:, 1:]
     least = total.min(axis=1, initial=np.inf)
     slack = TIE * np.where(np.isfinite(solo), solo, np.where(np.isfinite(least), least, 0.0))
     best_i = np.full(len(solo), -1, np.int64)

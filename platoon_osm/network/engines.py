@@ -4,7 +4,7 @@ Which is faster depends on the work. The hierarchy needs compiled code (loaded o
 order (once a network) and costs of its arcs (once a weight), and then answers a search many times
 faster. `engine="auto"` adds up what is still missing and compares:
 
-    reference:  searches * n * REFERENCE_NODE_S
+    reference:  m * REFERENCE_EDGE_S  +  searches * n * REFERENCE_NODE_S
     hierarchy:  LOAD_S or COMPILE_S  +  m * ORDER_EDGE_S or m * READ_EDGE_S
                 +  m * CUSTOMIZE_EDGE_S  +  searches * n * SWEEP_NODE_S
 
@@ -26,17 +26,18 @@ from .road_network import RoadNetwork
 from .search import ReferenceEngine, checked_weight
 
 __all__ = ["Engine", "EngineName", "LeastCosts", "distances", "engine_for", "many_to_many",
-           "one_to_many", "path", "seeded", "tree", "warm_up"]  # fmt: skip
+           "one_to_many", "path", "prepare", "seeded", "tree", "warm_up"]  # fmt: skip
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
 EngineName = Literal["auto", "reference", "hierarchy"]
 
-REFERENCE_NODE_S = 1.6e-7
-SWEEP_NODE_S = 1.2e-8
-CUSTOMIZE_EDGE_S = 1.5e-8
-READ_EDGE_S = 2e-8
-ORDER_EDGE_S = 2e-6
+REFERENCE_EDGE_S = 1.5e-7
+REFERENCE_NODE_S = 1.5e-7
+SWEEP_NODE_S = 1e-8
+CUSTOMIZE_EDGE_S = 2e-8
+READ_EDGE_S = 5e-8
+ORDER_EDGE_S = 3e-6
 LOAD_S = 1.0
 COMPILE_S = 30.0
 
@@ -127,7 +128,7 @@ def engine_for(
     ready = {
         item.name: item for own, item in list(kept) if own is values or np.array_equal(own, values)
     }
-    chosen = engine if engine != "auto" else _faster(net, searches, "hierarchy" in ready)
+    chosen = engine if engine != "auto" else _faster(net, searches, set(ready))
     if chosen in ready:
         return ready[chosen]
     made: Engine
@@ -144,10 +145,12 @@ def engine_for(
     return made
 
 
-def _faster(net: RoadNetwork, searches: int, customized: bool) -> EngineName:
+def _faster(net: RoadNetwork, searches: int, ready: set[str]) -> EngineName:
     reference = searches * net.n * REFERENCE_NODE_S
+    if "reference" not in ready:
+        reference += net.m * REFERENCE_EDGE_S
     sweeps = searches * net.n * SWEEP_NODE_S
-    missing = 0.0 if customized else net.m * CUSTOMIZE_EDGE_S
+    missing = 0.0 if "hierarchy" in ready else net.m * CUSTOMIZE_EDGE_S
     if not _kept_order(net):
         missing += net.m * (READ_EDGE_S if _stored_order(net) else ORDER_EDGE_S)
     if not _loaded():
@@ -184,6 +187,13 @@ def warm_up() -> float:
     from .hierarchy.warmth import warm_up as compile_all
 
     return compile_all()
+
+
+def prepare(net: RoadNetwork) -> None:
+    """Order and contract a network for the hierarchy, and store that beside its file."""
+    from .hierarchy.storage import topology_of
+
+    topology_of(net)
 
 
 def many_to_many(

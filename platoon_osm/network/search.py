@@ -85,12 +85,10 @@ def checked_nodes(net: RoadNetwork, nodes: ArrayLike) -> Edges:
     ValueError
         A node outside the network.
     """
-    wanted = np.atleast_1d(np.asarray(nodes, np.int64))
-    outside = (wanted < 0) | (wanted >= net.n)
-    if outside.any():
-        raise ValueError(
-            f"node {wanted[np.argmax(outside)]}: the network has nodes 0 to {net.n - 1}"
-        )
+    wanted = np.array(nodes, np.int64, ndmin=1)
+    if wanted.size and (wanted.min() < 0 or wanted.max() >= net.n):
+        worst = wanted[np.argmax((wanted < 0) | (wanted >= net.n))]
+        raise ValueError(f"node {worst}: the network has nodes 0 to {net.n - 1}")
     return wanted
 
 

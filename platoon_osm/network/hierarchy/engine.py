@@ -115,16 +115,21 @@ class HierarchyEngine:
 
     def __init__(self, net: RoadNetwork, weight: ArrayLike, threads: int | None = None) -> None:
         # A copy, for paths are looked up under the weight that the arcs were made from.
-        self.weight = checked_weight(net, weight).copy()
+        padded = np.empty(net.m + 1)
+        padded[:-1] = checked_weight(net, weight)
+        padded[-1] = np.inf
+        self.weight = padded[:-1]
         self.net = net
         self.threads = cores() if threads is None else threads
-        self.metric: Metric = customize(topology_of(net, self.threads), self.weight, self.threads)
+        self.metric: Metric = customize(topology_of(net, self.threads), padded, self.threads)
 
     def distances(self, nodes: ArrayLike, forward: bool = True) -> Floats:
         """Return costs (k, n) from each of k nodes to all, or from all to each if not forward."""
         wanted = checked_nodes(self.net, nodes)
         if not len(wanted):
             return np.zeros((0, self.net.n))
+        if len(wanted) == 1:
+            return from_one(self.metric, int(wanted[0]), forward, self.threads)[None, :]
         return from_many(self.metric, wanted, forward, self.threads)
 
     def tree(self, node: int, forward: bool = True) -> HierarchyTree:

@@ -109,8 +109,8 @@ def _blocks(
             solo[m] = alone
             _into_lane(starts[m], lane, parent, local, same, there, reached, arrive, 0, width)
             _into_lane(ends[m], lane, parent, local, same, back, leads, leave, 0, width)
-        _sweep_lanes(own_first, own_head, own_down, same, reached, arrive, 0, width)
-        _sweep_lanes(own_first, own_head, own_up, same, leads, leave, 0, width)
+        _sweep_lanes(0, rows, own_first, own_head, own_down, same, reached, arrive, 0, width)
+        _sweep_lanes(0, rows, own_first, own_head, own_up, same, leads, leave, 0, width)
         _copy_allowed(members, row, arrive, entry_first, entry_at, entry)
         _copy_allowed(members, row, leave, exit_first, exit_at, exit_)
         least[:] = np.inf

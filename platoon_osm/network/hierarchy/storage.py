@@ -100,8 +100,9 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
     expected = {
         "node": (n, "i4"), "rank": (n, "i4"), "first": (n + 1, "i4"), "head": (a, "i4"),
         "parent": (n, "i4"), "triangle": (len(t.triangle), "i4"), "triangle_first": (n + 1, "i8"),
-        "place": (net.m, "i4"), "below_first": (n + 1, "i4"), "below": (a, "i4"),
-        "subtree": (len(t.subtree), "i4"),
+        "forth": (a, "i4"), "back": (a, "i4"),
+        "spare": (len(t.spare), "i4"), "spare_place": (len(t.spare), "i4"),
+        "below_first": (n + 1, "i4"), "below": (a, "i4"), "subtree": (len(t.subtree), "i4"),
     }  # fmt: skip
     for name, (size, kind) in expected.items():
         array = getattr(t, name)
@@ -125,7 +126,11 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
         and _within(t.parent, -1, n)
         and _within(t.triangle, 0, a)
         and _within(t.below, 0, a)
-        and _within(t.place, -1, 2 * a)
+        and _within(t.forth, 0, net.m + 1)
+        and _within(t.back, 0, net.m + 1)
+        and _within(t.spare, 0, net.m)
+        and _within(t.spare_place, 0, 2 * a)
+        and (np.diff(t.spare_place) >= 0).all()
         and (np.diff(t.subtree) >= 0).all()
         and _within(t.subtree, 0, n + 1)
     )

@@ -44,8 +44,9 @@ class Topology:
     parent : (n,) rank of the lowest upper neighbour; -1 for roots.
     triangle : (t,) for each node, for each pair i < j of its arcs, the arc between their heads.
     triangle_first : (n + 1,) where the triangles of each rank begin.
-    place : (m,) for each edge 2 * arc, plus 1 if it leads down; -1 for an edge from a node to
-        itself.
+    forth, back : (a,) the edge up each arc, and that down; m, which is no edge, if there is none.
+    spare, spare_place : (k,) edges parallel to those, and where each belongs: 2 * arc, plus 1 if
+        it leads down; ascending by place.
     below_first, below : (n + 1,), (a,) the arcs that end at each rank, from the lowest tail up.
     subtree : (s + 1,) ranks where the subtrees for threads begin; the last is where the top
         begins.
@@ -58,7 +59,10 @@ class Topology:
     parent: Ints
     triangle: Ints
     triangle_first: Longs
-    place: Ints
+    forth: Ints
+    back: Ints
+    spare: Ints
+    spare_place: Ints
     below_first: Ints
     below: Ints
     subtree: Ints
@@ -100,10 +104,13 @@ def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: in
     first, up, parent = _renumber(first, up, parent, renumbered)
     triangle, triangle_first = _triangles(first, up)
     place = _places(rank[tail], rank[head], first, up)
+    forth, back, spare = _edges_of_arcs(place, len(up))
+    spare = spare[np.argsort(place[spare], kind="stable")]
     below_first, below = _below(first, up)
     return Topology(
-        node, rank, first, up, parent, triangle, triangle_first, place, below_first, below, subtree
-    )
+        node, rank, first, up, parent, triangle, triangle_first, forth, back, spare, place[spare],
+        below_first, below, subtree,
+    )  # fmt: skip
 
 
 @compiled
@@ -288,3 +295,21 @@ def _places(tail: Ints, head: Ints, first: Ints, up: Ints) -> Ints:
                 b = middle
         place[e] = 2 * a + (tail[e] > head[e])
     return place
+
+
+@compiled
+def _edges_of_arcs(place: Ints, arcs: int) -> tuple[Ints, Ints, Ints]:
+    none = np.int32(len(place))
+    forth, back = np.full(arcs, none), np.full(arcs, none)
+    spare = np.empty(len(place), np.int32)
+    count = 0
+    for e in range(len(place)):
+        if place[e] < 0:
+            continue
+        of_arc = back if place[e] & 1 else forth
+        if of_arc[place[e] >> 1] == none:
+            of_arc[place[e] >> 1] = e
+        else:
+            spare[count] = e
+            count += 1
+    return forth, back, spare[:count].copy()

@@ -1,0 +1,1 @@
+"""The paper's Monte Carlo, and its figures and numbers beside the printed ones."""

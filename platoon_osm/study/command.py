@@ -1,0 +1,248 @@
+"""What `platoon-osm study` does: runs, figures, tables and the report."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from ..errors import ScenarioError
+from .monte_carlo import StudyResult, run_study
+from .settings import Study
+
+__all__ = ["run_command", "studies_of", "write_results"]
+
+MARKS = "<!-- study:begin -->", "<!-- study:end -->"
+
+
+def studies_of(options: argparse.Namespace) -> list[Study]:
+    """Return one study for each reading of how vehicles are placed.
+
+    Raises
+    ------
+    ScenarioError
+        An option out of range.
+    """
+    from ..sources.synthetic import RandomNetwork
+
+    grid = options.grid
+    if grid < 1:
+        raise ScenarioError(f"--grid {grid}: give 1 or more values of tau and of xi")
+    axis = tuple(round(k / max(grid - 1, 1), 12) for k in range(grid))
+    shared: dict[str, Any] = {
+        "runs": options.runs, "case": options.case, "methods": _list(options.method),
+        "mixings": _list(options.mixing), "tau": axis, "xi": axis,
+    }  # fmt: skip
+    default = "200" if options.network else "1,200,400,600"
+    diameters = [_km("--diameter-km", part) for part in _list(options.diameter_km or default)]
+    if options.network:
+        return [Study(network=trips, **shared) for trips in _road_trips(options, diameters)]
+    if options.flows:
+        raise ScenarioError("--flows: flows belong to a real network; give --network too")
+    km = 1000.0
+    placings = _list(options.spawning)
+    if not placings or not diameters:
+        raise ScenarioError("--spawning, --diameter-km: give at least one of each")
+    return [
+        Study(
+            network=RandomNetwork(
+                width_m=options.area_km * km, height_m=options.area_km * km, nodes=options.nodes,
+                edges=options.edges, dropout=options.dropout, spawn_diameter_m=diameter,
+                min_route_m=options.min_route_km * km, vehicles=options.vehicles,
+                pruning=options.pruning, directed=options.directed, connected=options.connected,
+                spawning=spawning, access_nodes=options.access_nodes,
+                route_length=options.route_length,
+            ),
+            **shared,
+        )
+        for spawning in placings
+        for diameter in diameters
+    ]  # fmt: skip
+
+
+def _road_trips(options: argparse.Namespace, diameters: Sequence[float]) -> Iterator[Any]:
+    from ..sources.load import load_network
+    from .road_trips import RoadTrips, read_flows
+
+    net = load_network(options.network, country=options.country, infer_links=options.infer_links)
+    flows = read_flows(options.flows, net) if options.flows else None
+    for diameter in diameters:
+        yield RoadTrips(net, options.vehicles, diameter, options.min_route_km * 1000, flows)
+
+
+def _list(text: str) -> tuple[Any, ...]:
+    return tuple(part.strip() for part in text.split(",") if part.strip())
+
+
+def _km(option: str, text: str) -> float:
+    try:
+        return float(text) * 1000
+    except ValueError:
+        raise ScenarioError(f"{option} {text!r}: give numbers of km, with commas") from None
+
+
+def run_command(options: argparse.Namespace, say: Callable[[str], None]) -> None:
+    """Run all readings, write everything, and say what came out.
+
+    Parameters
+    ----------
+    options : of `options.add_study_options`.
+    say : prints a line.
+    """
+    studies = studies_of(options)
+    if options.table is not None:
+        _marked(options.table)
+    if options.workers is not None and options.workers < 1:
+        raise ScenarioError(f"--workers {options.workers}: give 1 or more")
+    if options.output.exists() and not options.output.is_dir():
+        raise ScenarioError(f"{options.output}: is a file; name a folder")
+    results = []
+    with _workers(options.workers) as executor, _progress(studies) as advance:
+        for study in studies:
+            folder = options.output / "runs"
+            results.append(run_study(study, options.seed, executor, folder, advance))
+    command = _command(options)
+    written, paragraph, table = write_results(results, options.output, command)
+    if options.table is not None:
+        _renew(options.table, table)
+        written.append(options.table)
+    say(paragraph)
+    for path in written:
+        say(f"Written: {path}")
+
+
+def write_results(
+    results: Sequence[StudyResult], output: Path, command: str
+) -> tuple[list[Path], str, str]:
+    """Write figures, tables and report.
+
+    Returns
+    -------
+    written : paths; paragraph : the verdict; table : the comparison as Markdown.
+    """
+    from . import figures, tables
+    from .comparison import compare, network_label, verdict
+    from .example import example_of
+    from .page import write_page
+    from .shown_tables import markdown, shown_tables
+
+    rows = compare(results)
+    first = results[0]
+    study = first.study
+    examples = [(network_label(r), example_of(r)) for r in _to_draw(results)]
+    path = output / "figure-1-network"
+    tables.write_network(path.with_suffix(".csv"), examples)
+    drawn = [(path, figures.save_figure(figures.network_figure(examples), path),
+              "Road graphs with the longest platoon in red, spawn points and member routes, at "
+              "tau = 100 %, xi = 18 %.")]  # fmt: skip
+    path = output / "figure-2-costs"
+    tables.write_costs(path.with_suffix(".csv"), results)
+    drawn.append((path, figures.save_figure(figures.cost_figure(first), path),
+                  f"Mean cost of a vehicle alone and jointly, {study.methods[0]}, vehicles at "
+                  f"{network_label(first)}; the ring marks tau = 100 %, xi = 18 %."))  # fmt: skip
+    for number, method, called in ((3, "dijkstra", "Dijkstra"), (4, "astar", "the inflated A*")):
+        if method in study.methods:
+            path = output / f"figure-{number}-involvement-{method}"
+            tables.write_involvement(path.with_suffix(".csv"), results, method)
+            drawn.append((
+                path, figures.save_figure(figures.involvement_figure(results, method), path),
+                f"Members that join a platoon by {called}, mixing “{study.mixings[0]}”; columns "
+                "are placings of the vehicles.",
+            ))  # fmt: skip
+    tables.write_comparison(output / "comparison.csv", rows)
+    tables.write_parquet(output / "results.parquet", results)
+    shown, paragraph = shown_tables(results, rows), verdict(rows, results)
+    write_page(
+        output / "report.html", [(files[1], caption) for _, files, caption in drawn], shown,
+        paragraph, {"seed": first.seed, "studies": [r.study.to_dict() for r in results]}, command,
+    )  # fmt: skip
+    written = [
+        file for path, files, _ in drawn for file in (path.with_suffix(".csv"), *files)
+    ]  # fmt: skip
+    written += [output / name for name in ("comparison.csv", "results.parquet", "report.html")]
+    how = f"Measured by `{command}`. Brackets hold 95 % bootstrap intervals over networks."
+    return written, paragraph, markdown(shown, paragraph, how)
+
+
+def _to_draw(results: Sequence[StudyResult]) -> list[StudyResult]:
+    """Choose the first placing, and one with a wide circle to look at beside it."""
+    wide = [r for r in results[1:] if r.study.network.spawn_diameter_m >= 4e5]
+    return [results[0], *wide[:1]]
+
+
+def _command(options: argparse.Namespace) -> str:
+    """Return what to type for the same numbers; paths and workers do not change them."""
+    from .options import add_study_options
+
+    parser = argparse.ArgumentParser()
+    add_study_options(parser)
+    typed = ["platoon-osm study"]
+    for name, value in sorted(vars(options).items()):
+        if name in ("output", "workers", "table", "run"):
+            continue
+        if value == parser.get_default(name) and name not in ("runs", "seed"):
+            continue
+        shown = Path(value).name if isinstance(value, Path) or name == "network" else value
+        typed.append(f"--{name.replace('_', '-')}" + ("" if value is True else f" {shown}"))
+    return " ".join(typed)
+
+
+@contextmanager
+def _workers(count: int | None) -> Iterator[Executor | None]:
+    import multiprocessing
+    import os
+
+    count = count or os.cpu_count() or 1
+    if count == 1:
+        yield None
+        return
+    # Fresh processes: a forked one would inherit the progress bar's thread half alive.
+    context = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(count, mp_context=context)
+    try:
+        yield pool
+    except BaseException:
+        pool.shutdown(wait=False, cancel_futures=True)
+        raise
+    pool.shutdown()
+
+
+@contextmanager
+def _progress(studies: Sequence[Study]) -> Iterator[Callable[[int], None]]:
+    """Show how many runs are done and how long the rest will take."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.progress import TimeRemainingColumn as TimeLeft
+
+    console = Console(stderr=True)
+    bar = Progress(
+        TextColumn("networks"), BarColumn(), MofNCompleteColumn(), TextColumn("time left"),
+        TimeLeft(), console=console, transient=True, disable=not console.is_terminal,
+    )  # fmt: skip
+    with bar:
+        task = bar.add_task("", total=sum(study.runs for study in studies))
+        yield lambda count: bar.update(task, advance=count)
+
+
+def _marked(path: Path) -> str:
+    try:
+        document = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ScenarioError(f"{path}: cannot be read ({error}); name a Markdown file") from None
+    if MARKS[0] not in document or MARKS[1] not in document:
+        raise ScenarioError(f"{path}: has no lines {MARKS[0]} and {MARKS[1]}")
+    return document
+
+
+def _renew(path: Path, text: str) -> None:
+    from .parts import whole_file
+
+    pattern = re.compile(re.escape(MARKS[0]) + ".*?" + re.escape(MARKS[1]), re.DOTALL)
+    section = f"{MARKS[0]}\n{text}\n{MARKS[1]}"
+    document = pattern.sub(lambda _: section, _marked(path), count=1)
+    with whole_file(path) as draft:
+        draft.write_text(document, encoding="utf-8")

@@ -1,0 +1,75 @@
+"""One run drawn in full: who drives where, alone and in the platoon."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..network.search import ReferenceEngine
+from ..sources.synthetic import Draw
+from .monte_carlo import StudyResult
+
+__all__ = ["Example", "example_of"]
+
+Index = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Example:
+    """Routes of one run by Dijkstra at one (tau, xi).
+
+    Attributes
+    ----------
+    draw : the network and trips.
+    master : which vehicle keeps its route.
+    routes : for each vehicle its edges before, in and after the platoon.
+    longest : the member that stays longest in the platoon; -1 if nobody joins.
+    tau, xi, mixing : for which the routes are best.
+    """
+
+    draw: Draw
+    master: int
+    routes: tuple[tuple[Index, Index, Index], ...]
+    longest: int
+    tau: float
+    xi: float
+    mixing: str
+
+
+def example_of(result: StudyResult, run: int = 0) -> Example:
+    """Draw a run of a study again and find its routes.
+
+    The point is the study's first further one, or the last of its grid.
+    """
+    study = result.study
+    mixing, method = 0, study.methods.index("dijkstra") if "dijkstra" in study.methods else 0
+    rows, columns = study.grid_shape
+    point = rows * columns if study.points else rows * columns - 1
+    seed = np.random.SeedSequence(result.seed).spawn(study.runs)[run]
+    draw = study.network.draw(np.random.default_rng(seed))
+    net = draw.net
+    engine = ReferenceEngine(net, net.length_m * study.costs.solo_factor())
+    master = int(result.master[run])
+    route = engine.tree(int(draw.origins[master])).path(int(draw.destinations[master]))
+    nodes = net.path_nodes(route)
+    none = np.zeros(0, np.int64)
+    routes = []
+    for vehicle in range(len(draw.origins)):
+        start, end = int(draw.origins[vehicle]), int(draw.destinations[vehicle])
+        merge = int(result.merge[run, method, mixing, vehicle, point])
+        separation = int(result.separation[run, method, mixing, vehicle, point])
+        if vehicle == master or merge < 0:
+            alone = route if vehicle == master else engine.tree(start).path(end)
+            routes.append((alone, none, none))
+            continue
+        i, j = (int(np.flatnonzero(nodes == at)[0]) for at in (merge, separation))
+        after = engine.tree(end, forward=False).path(separation)
+        routes.append((engine.tree(start).path(merge), route[i:j], after))
+    together = [float(net.length_m[part].sum()) for _, part, _ in routes]
+    longest = int(np.argmax(together)) if max(together) > 0 else -1
+    tau, xi = study.grid_points()[point]
+    return Example(
+        draw, master, tuple(routes), longest, float(tau), float(xi), study.mixings[mixing]
+    )

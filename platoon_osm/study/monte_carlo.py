@@ -1,0 +1,142 @@
+"""All runs of a study, on one core or many, from the start or from where it stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import Executor, as_completed
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ScenarioError
+from .one_run import run_once
+from .parts import load_part, part_path, save_part
+from .settings import Study
+
+__all__ = ["StudyResult", "run_study"]
+
+Floats = NDArray[np.float64]
+Arrays = dict[str, NDArray[np.generic]]
+
+CHUNK = 5
+"""Runs that go to a worker together."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StudyResult:
+    """R runs of a study: M methods, X mixings, V vehicles, P points of the grid.
+
+    Attributes
+    ----------
+    study, seed : what was run.
+    master : (R,) which vehicle.
+    optimum : (R, V) cost alone by Dijkstra [m].
+    solo_cost : (R, M, V) cost alone by each method [m].
+    joint_cost, platoon_m : (R, M, X, V, P) [m]; the master's with what it saves in company.
+    merge, separation : (R, M, X, V, P) nodes, -1 alone.
+    how : (R, M, X, V, P) bits of `one_run`: joined, drives alone before and after, and so on.
+    applicable : (R, M, V) whether the case could apply.
+    redraws : (R, 2) draws thrown away: not connected, and without destinations far enough.
+    overestimate : (R, V) the A* heuristic at the origin over the true remaining cost.
+    """
+
+    study: Study
+    seed: int
+    master: NDArray[np.int32]
+    optimum: Floats
+    solo_cost: Floats
+    joint_cost: Floats
+    platoon_m: Floats
+    merge: NDArray[np.int32]
+    separation: NDArray[np.int32]
+    how: NDArray[np.uint8]
+    applicable: NDArray[np.bool_]
+    redraws: NDArray[np.int32]
+    overestimate: Floats
+
+    def is_member(self) -> NDArray[np.bool_]:
+        """Mark the vehicles that are not the master of their run (R, V)."""
+        vehicles = np.arange(self.optimum.shape[1])
+        return np.asarray(vehicles != self.master[:, None])
+
+
+def run_study(
+    study: Study | None = None,
+    seed: int = 0,
+    executor: Executor | None = None,
+    folder: Path | str | None = None,
+    progress: Callable[[int], None] | None = None,
+) -> StudyResult:
+    """Run a study; the answer depends on `study` and `seed` alone.
+
+    Parameters
+    ----------
+    study : by default the paper's, `PAPER_STUDY`.
+    seed : of all draws; run k uses the k-th child of its `SeedSequence`.
+    executor : any `concurrent.futures.Executor`; by default runs follow each other here.
+    folder : where finished runs are kept and found again; by default nowhere.
+    progress : called with the number of runs just finished.
+
+    Raises
+    ------
+    ScenarioError
+        A seed below 0, or networks that cannot be drawn.
+    """
+    from .settings import PAPER_STUDY
+
+    study = study or PAPER_STUDY
+    if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
+        raise ScenarioError(f"seed = {seed!r} must be a whole number, 0 or more")
+    seeds = np.random.SeedSequence(int(seed)).spawn(study.runs)
+    parts = None if folder is None else Path(folder)
+    key = study.key(int(seed))
+    names = {item.name for item in fields(StudyResult)} - {"study", "seed"}
+    done: dict[int, Arrays] = {}
+    if parts is not None:
+        for run in range(study.runs):
+            if (found := load_part(part_path(parts, key, run), names)) is not None:
+                done[run] = found
+    tell = progress or (lambda _: None)
+    if done:
+        tell(len(done))
+    missing = [run for run in range(study.runs) if run not in done]
+    jobs = [
+        (study, key, parts, [(run, seeds[run]) for run in missing[at : at + CHUNK]])
+        for at in range(0, len(missing), CHUNK)
+    ]
+    if executor is None:
+        for job in jobs:
+            done.update(_run_chunk(*job))
+            tell(len(job[3]))
+    else:
+        waiting = [executor.submit(_run_chunk, *job) for job in jobs]
+        try:
+            for finished in as_completed(waiting):
+                chunk = finished.result()
+                done.update(chunk)
+                tell(len(chunk))
+        finally:
+            for future in waiting:
+                future.cancel()
+    # By number, not by time of arrival: the order must not depend on the workers.
+    columns = {name: np.stack([done[run][name] for run in range(study.runs)]) for name in done[0]}
+    return StudyResult(study, int(seed), **columns)  # type: ignore[arg-type]
+
+
+def _run_chunk(
+    study: Study,
+    key: str,
+    parts: Path | None,
+    runs: Sequence[tuple[int, np.random.SeedSequence]],
+) -> list[tuple[int, Arrays]]:
+    """Do some runs; at module level, for processes have to find it."""
+    factors = study.platoon_factors()
+    results = []
+    for run, seed in runs:
+        arrays = run_once(study, factors, seed)
+        if parts is not None:
+            save_part(part_path(parts, key, run), arrays)
+        results.append((run, arrays))
+    return results

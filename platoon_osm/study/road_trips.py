@@ -1,0 +1,199 @@
+"""Trips of a study on a real network, drawn by distance or by truck flows."""
+
+from __future__ import annotations
+
+import csv
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import MapDataError, ScenarioError
+from ..network.geodesy import distance_m, east_north_m
+from ..network.road_network import RoadNetwork
+from ..sources.synthetic import Draw
+
+__all__ = ["Flows", "RoadTrips", "read_flows"]
+
+Floats = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Flows:
+    """Truck volumes between places of a network.
+
+    Attributes
+    ----------
+    origin, destination : (f,) nodes.
+    volume : (f,) trucks a year.
+    name : of the file they came from.
+    """
+
+    origin: Index
+    destination: Index
+    volume: Floats
+    name: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoadTrips:
+    """Vehicles on a loaded network, as `RandomNetwork` has them on a random one.
+
+    Attributes
+    ----------
+    net : the network; trips stay in its largest strongly connected part.
+    vehicles : with the one at the centre.
+    spawn_diameter_m : diameter of the circle in which vehicles start, around a random node.
+    min_route_m : minimum route length by road.
+    flows : if given, origins and destinations are drawn by volume; else uniformly.
+    max_redraws : draws thrown away before giving up.
+    """
+
+    net: RoadNetwork
+    vehicles: int = 10
+    spawn_diameter_m: float = 2e5
+    min_route_m: float = 5e5
+    flows: Flows | None = None
+    max_redraws: int = 1000
+
+    def __post_init__(self) -> None:
+        for name, low in (("vehicles", 2), ("max_redraws", 0)):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int) or value < low:
+                raise ScenarioError(f"{name} = {value!r} must be a whole number, {low} or more")
+        for name in ("spawn_diameter_m", "min_route_m"):
+            value = getattr(self, name)
+            if not (isinstance(value, int | float) and math.isfinite(value) and value >= 0):
+                raise ScenarioError(f"{name} = {value!r} must be a number of metres, 0 or more")
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON form, with the identity of the network in place of its arrays."""
+        return {
+            "kind": "road", "source": self.net.source.name, "identity": self.net.identity(),
+            "vehicles": self.vehicles, "spawn_diameter_m": self.spawn_diameter_m,
+            "min_route_m": self.min_route_m, "flows": self.flows.name if self.flows else None,
+            "flow_volume": float(self.flows.volume.sum()) if self.flows else None,
+            "max_redraws": self.max_redraws,
+        }  # fmt: skip
+
+    def draw(self, rng: np.random.Generator) -> Draw:
+        """Draw trips until each vehicle has a destination far enough.
+
+        Raises
+        ------
+        ScenarioError
+            No draw was possible within `max_redraws`.
+        """
+        for impossible in range(self.max_redraws + 1):
+            found = self._by_distance(rng) if self.flows is None else self._by_flows(rng)
+            if found is not None:
+                net = self.net
+                x, y = east_north_m(net.lon, net.lat, float(net.lat.mean()))
+                access = np.zeros(net.m, bool)
+                return Draw(net, *found, access, x - x.min(), y - y.min(), 0, impossible)
+        raise ScenarioError(
+            f"{self.net.source.name}: none of {self.max_redraws + 1} draws gave {self.vehicles} "
+            f"routes of {self.min_route_m / 1000:g} km or more; take a shorter minimum"
+        )
+
+    def _by_distance(self, rng: np.random.Generator) -> tuple[Index, Index] | None:
+        net = self.net
+        inside = np.flatnonzero(net.strong_component() == 0)
+        centre = int(rng.choice(inside))
+        near = inside[self._away(inside, centre) <= self.spawn_diameter_m / 2]
+        origins = np.append(centre, rng.choice(near, self.vehicles - 1)).astype(np.int64)
+        allowed = self._lengths(origins)[:, inside] >= self.min_route_m
+        allowed &= inside != origins[:, None]
+        if not allowed.any(axis=1).all():
+            return None
+        return origins, inside[(rng.random(allowed.shape) * allowed).argmax(axis=1)]
+
+    def _by_flows(self, rng: np.random.Generator) -> tuple[Index, Index] | None:
+        flows = self.flows
+        assert flows is not None
+        share = flows.volume / flows.volume.sum()
+        first = int(rng.choice(len(share), p=share))
+        centre = int(flows.origin[first])
+        near = self._away(flows.origin, centre) <= self.spawn_diameter_m / 2
+        # A flow that starts in the circle is as likely as its volume, if it goes far enough.
+        starts, row = np.unique(flows.origin[near], return_inverse=True)
+        rows = np.flatnonzero(near)
+        far = self._lengths(starts)[row, flows.destination[rows]] >= self.min_route_m
+        rows = rows[far & (flows.destination[rows] != flows.origin[rows])]
+        if first not in rows:
+            return None
+        weight = flows.volume[rows] / flows.volume[rows].sum()
+        chosen = np.append(first, rng.choice(rows, self.vehicles - 1, p=weight))
+        return flows.origin[chosen], flows.destination[chosen]
+
+    def _away(self, nodes: Index, centre: int) -> Floats:
+        net = self.net
+        return distance_m(net.lon[nodes], net.lat[nodes], net.lon[centre], net.lat[centre])
+
+    def _lengths(self, origins: Index) -> Floats:
+        from ..network.search import ReferenceEngine
+
+        return ReferenceEngine(self.net, self.net.length_m).distances(origins)
+
+
+def read_flows(path: Path, net: RoadNetwork) -> Flows:
+    """Read truck volumes (`origin,destination,volume`) and place them on a network.
+
+    Places are ids whose coordinates stand in `segments.csv` beside the file (`source`,
+    `position_x`, `position_y`), as in the ETISplus sets; each goes to the nearest node of the
+    network's largest connected part.
+
+    Raises
+    ------
+    MapDataError
+        A file is missing or has other columns, or no flow has both ends on the network.
+    """
+    inside = np.flatnonzero(net.strong_component() == 0)
+    places: dict[str, int] = {}
+    segments = path.with_name("segments.csv")
+    for line, row in _rows(segments, ("source", "position_x", "position_y")):
+        if row["source"] not in places:
+            lon, lat = (_number(segments, line, row[c]) for c in ("position_x", "position_y"))
+            away = distance_m(net.lon[inside], net.lat[inside], lon, lat)
+            places[row["source"]] = int(inside[away.argmin()])
+    ends, volumes = [], []
+    for line, row in _rows(path, ("origin", "destination", "volume")):
+        volume = _number(path, line, row["volume"])
+        if volume < 0:
+            raise MapDataError(f"{path.name}: line {line}: volume {volume:g} is below 0")
+        pair = places.get(row["origin"]), places.get(row["destination"])
+        if None not in pair and pair[0] != pair[1] and volume > 0:
+            ends.append(pair)
+            volumes.append(volume)
+    if not ends:
+        raise MapDataError(f"{path.name}: no flow has both of its ends on {net.source.name}")
+    places_of = np.array(ends, np.int64)
+    return Flows(places_of[:, 0], places_of[:, 1], np.array(volumes), path.name)
+
+
+def _rows(path: Path, columns: tuple[str, ...]) -> list[tuple[int, dict[str, str]]]:
+    if not path.is_file():
+        raise MapDataError(f"{path}: no such file; flows need traffic.csv and segments.csv")
+    try:
+        with path.open(encoding="utf-8", newline="") as handle:
+            reader = csv.DictReader(handle)
+            missing = set(columns) - set(reader.fieldnames or ())
+            if missing:
+                raise MapDataError(f"{path}: no column {sorted(missing)[0]!r}")
+            return [(k, row) for k, row in enumerate(reader, 2) if None not in row.values()]
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise MapDataError(f"{path}: not a CSV text file ({error})") from None
+
+
+def _number(path: Path, line: int, text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise MapDataError(f"{path.name}: line {line}: {text!r} is no number")
+    return value

@@ -1,0 +1,121 @@
+"""What a study varies and what it keeps."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._version import __version__
+from ..costs.weights import Mixing, PaperCosts
+from ..errors import ScenarioError
+from ..planning.cases import Case
+from ..planning.routes import Method
+from ..sources.synthetic import RandomNetwork
+from .road_trips import RoadTrips
+
+__all__ = ["PAPER_STUDY", "Study", "Total"]
+
+Total = Literal["members", "system"]
+
+TENTHS = tuple(k / 10 for k in range(11))
+
+
+@dataclass(frozen=True, slots=True)
+class Study:
+    """A Monte Carlo over networks and over the (tau, xi) grid.
+
+    Attributes
+    ----------
+    network : where networks and trips come from.
+    runs : networks drawn.
+    case : "A", "B" or "C".
+    methods : "dijkstra" and "astar", on the same draws.
+    mixings : "printed" and "gain", readings of eq. 13.
+    tau, xi : the grid's axes, in [0, 1].
+    points : (tau, xi) looked at besides, such as the one the paper prints a number for.
+    costs : all other cost parameters; its own tau, xi and mixing are not used.
+    """
+
+    network: RandomNetwork | RoadTrips = field(default_factory=RandomNetwork)
+    runs: int = 100
+    case: Case = "C"
+    methods: tuple[Method, ...] = ("dijkstra",)
+    mixings: tuple[Mixing, ...] = ("printed", "gain")
+    tau: tuple[float, ...] = TENTHS
+    xi: tuple[float, ...] = TENTHS
+    points: tuple[tuple[float, float], ...] = ((1.0, 0.18),)
+    costs: PaperCosts = field(default_factory=PaperCosts)
+
+    def __post_init__(self) -> None:
+        if isinstance(self.runs, bool) or not isinstance(self.runs, int) or self.runs < 1:
+            raise ScenarioError(f"runs = {self.runs!r} must be a whole number, 1 or more")
+        if self.case not in ("A", "B", "C"):
+            raise ScenarioError(f'case = {self.case!r} must be "A", "B" or "C" in a study')
+        if self.costs.positions is not None:
+            raise ScenarioError(
+                f"costs: positions = {self.costs.positions!r}; in a study the lead is rotated, as "
+                "in the paper: leave positions out"
+            )
+        for name, allowed in (
+            ("methods", ("dijkstra", "astar")), ("mixings", ("printed", "gain")),
+        ):  # fmt: skip
+            chosen = getattr(self, name)
+            if not chosen or len(set(chosen)) < len(chosen) or set(chosen) - set(allowed):
+                raise ScenarioError(
+                    f"{name} = {chosen!r} must be one or both of {', '.join(allowed)}"
+                )
+        for name in ("tau", "xi"):
+            values = getattr(self, name)
+            if not values or list(values) != sorted(set(values)):
+                raise ScenarioError(f"{name} = {values!r} must be numbers in rising order")
+        for pair in (*((t, self.xi[0]) for t in self.tau), *((self.tau[0], x) for x in self.xi),
+                     *self.points):  # fmt: skip
+            if not all(math.isfinite(v) and 0 <= v <= 1 for v in pair):
+                raise ScenarioError(f"grid point (tau, xi) = {pair!r} must lie in [0, 1]")
+
+    @property
+    def grid_shape(self) -> tuple[int, int]:
+        """How many values of tau and of xi."""
+        return len(self.tau), len(self.xi)
+
+    def grid_points(self) -> NDArray[np.float64]:
+        """Return (tau, xi) of all P points: the grid row by row, then the further points (P, 2)."""
+        grid = [(tau, xi) for tau in self.tau for xi in self.xi]
+        return np.array([*grid, *self.points], np.float64)
+
+    def platoon_factors(self) -> NDArray[np.float64]:
+        """Return what one metre costs in a platoon, for each mixing and point (X, P)."""
+        return np.array([
+            [
+                replace(self.costs, tau=float(tau), xi=float(xi), mixing=mixing).platoon_factor()
+                for tau, xi in self.grid_points()
+            ]
+            for mixing in self.mixings
+        ])  # fmt: skip
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON form; enough to repeat the study, with its seed."""
+        net = self.network
+        shown = net.to_dict() if isinstance(net, RoadTrips) else {"kind": "random", **asdict(net)}
+        costs = {k: v for k, v in asdict(self.costs).items() if k not in ("tau", "xi", "mixing")}
+        return {
+            "network": shown, "runs": self.runs, "case": self.case, "methods": list(self.methods),
+            "mixings": list(self.mixings), "tau": list(self.tau), "xi": list(self.xi),
+            "points": [list(pair) for pair in self.points], "costs": costs,
+        }  # fmt: skip
+
+    def key(self, seed: int) -> str:
+        """Return a hash of all that a run's answer depends on; how many runs is not part of it."""
+        told = {**self.to_dict(), "seed": seed, "version": __version__}
+        del told["runs"]
+        return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:20]
+
+
+PAPER_STUDY = Study(methods=("dijkstra", "astar"))
+"""Table 1 as printed, by both methods, in both readings of the mixing rates."""
