@@ -94,8 +94,8 @@ def best_pairs(
     cost : (N,)
     """
     lead = np.minimum.accumulate(entry - platoon, axis=1)
-    # Strictly i < j: with costs that are not least costs, as A*'s are not, a detour over one node of
-    # the route may seem cheaper than both staying alone and a platoon, and hide the platoon.
+    # Strictly i < j: with costs that are not least costs, as A*'s are not, a detour over one node
+    # of the route may seem cheaper than both staying alone and a platoon, and hide the platoon.
     total = np.full(entry.shape, np.inf)
     total[:, 1:] = lead[:, :-1] + platoon[1:] + leave[:, 1:]
     least = total.min(axis=1, initial=np.inf)
