@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MapDataError
+from ..whole_file import whole_file
 from .load_report import LoadReport, Source
 from .road_network import NamedPoints, RoadNetwork
 from .texts import TextTable
@@ -49,23 +50,11 @@ def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
         }
     ).encode()
     header += b" " * (-(len(MAGIC) + 8 + len(header)) % ALIGNMENT)
-    target = Path(path)
-    temporary = target.with_name(f"{target.name}.{os.getpid()}.tmp")
-    try:
-        with temporary.open("wb") as out:
-            out.write(MAGIC + len(header).to_bytes(8, "little") + header)
-            for array in arrays.values():
-                out.write(np.ascontiguousarray(array).tobytes())
-                out.write(b"\0" * (-array.nbytes % ALIGNMENT))
-        temporary.replace(target)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise MapDataError(
-            f"{target}: cannot be written ({error.strerror}); check the folder and its rights"
-        ) from error
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+    with whole_file(path, MapDataError) as draft, draft.open("wb") as out:
+        out.write(MAGIC + len(header).to_bytes(8, "little") + header)
+        for array in arrays.values():
+            out.write(np.ascontiguousarray(array).tobytes())
+            out.write(b"\0" * (-array.nbytes % ALIGNMENT))
 
 
 def open_network(path: str | os.PathLike[str]) -> RoadNetwork:

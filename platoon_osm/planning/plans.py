@@ -6,10 +6,10 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from pathlib import Path
 from typing import Any
 
 from ..errors import ScenarioError
+from ..whole_file import whole_file
 
 __all__ = ["PLAN_VERSION", "JointPlan", "Leg", "NetworkIdentity", "PlatoonPoint", "Stop",
            "VehiclePlan"]  # fmt: skip
@@ -243,11 +243,9 @@ class JointPlan:
 
     def write_json(self, path: str | os.PathLike[str]) -> None:
         """Write the plan as JSON, whole or not at all."""
-        target = Path(path)
-        temporary = target.with_name(target.name + ".tmp")
         text = json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n"
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(target)
+        with whole_file(path) as draft:
+            draft.write_text(text, encoding="utf-8")
 
 
 def _vehicle(data: Mapping[str, Any]) -> VehiclePlan:

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import socket
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any
 from ..errors import MapDataError, ScenarioError
 from ..network.road_network import ROAD_CLASSES
 from ..network.store import save_network
+from ..whole_file import whole_file
 from .file_identity import ATTRIBUTION, LICENCE, osm_source
 from .osmnx_graph import network_from_osmnx
 from .truck import TruckRules
@@ -89,8 +89,7 @@ def download(
             f"road classes {unknown or '()'}: give values of the highway tag, such as "
             f"{', '.join(ROAD_CLASSES[:4])}"
         )
-    temporary = _beside(target)
-    try:
+    with whole_file(target, MapDataError) as draft:
         changes: dict[str, Any] = {"requests_timeout": timeout_s}
         if overpass_url is not None:
             changes |= {"overpass_url": overpass_url, "overpass_rate_limit": False}
@@ -98,12 +97,7 @@ def download(
             changes["nominatim_url"] = nominatim_url
         with osmnx_settings(Path(cache_dir), 0 if overpass_url else RETRIES_WHEN_BUSY, changes):
             graph = _graph(place, bounds, classes)
-        _save(graph, place, temporary, classes, rules or TruckRules())
-        temporary.replace(target)
-    except OSError as error:
-        raise MapDataError(f"{target}: cannot be written ({error})") from error
-    finally:
-        temporary.unlink(missing_ok=True)
+        _save(graph, place, draft, classes, rules or TruckRules())
     return target
 
 
@@ -255,18 +249,6 @@ def _save(graph: Any, place: str, file: Path, classes: Sequence[str], rules: Tru
 
     graph.graph |= {"licence": LICENCE, "attribution": ATTRIBUTION}
     osmnx.io.save_graphml(graph, file)
-
-
-def _beside(target: Path) -> Path:
-    """Make an empty file next to the target: a wrong folder must not cost a download."""
-    try:
-        handle, name = tempfile.mkstemp(dir=target.parent, prefix=".", suffix=target.suffix)
-    except OSError as error:
-        raise MapDataError(
-            f"{target}: cannot write here ({error.strerror}); choose another folder"
-        ) from error
-    os.close(handle)
-    return Path(name)
 
 
 def _one_line(text: object) -> str:

@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import ScenarioError
+from ..whole_file import whole_file
 from .monte_carlo import StudyResult, run_study
+from .parts import make_folder
 from .settings import Study
 
 __all__ = ["run_command", "studies_of", "write_results"]
@@ -100,6 +102,7 @@ def run_command(options: argparse.Namespace, say: Callable[[str], None]) -> None
         raise ScenarioError(f"--workers {options.workers}: give 1 or more")
     if options.output.exists() and not options.output.is_dir():
         raise ScenarioError(f"{options.output}: is a file; name a folder")
+    make_folder(options.output)
     results = []
     with _workers(options.workers) as executor, _progress(studies) as advance:
         for study in studies:
@@ -239,8 +242,6 @@ def _marked(path: Path) -> str:
 
 
 def _renew(path: Path, text: str) -> None:
-    from .parts import whole_file
-
     pattern = re.compile(re.escape(MARKS[0]) + ".*?" + re.escape(MARKS[1]), re.DOTALL)
     section = f"{MARKS[0]}\n{text}\n{MARKS[1]}"
     document = pattern.sub(lambda _: section, _marked(path), count=1)

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from ..whole_file import whole_file
 from .comparison import network_label
 from .example import Example
 from .measures import Measures
 from .monte_carlo import StudyResult
-from .parts import whole_file
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

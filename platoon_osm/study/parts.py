@@ -2,41 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import zipfile
-from collections.abc import Collection, Iterator
-from contextlib import contextmanager
+from collections.abc import Collection
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ScenarioError
+from ..whole_file import whole_file
 
-__all__ = ["load_part", "part_path", "save_part", "whole_file"]
-
-
-@contextmanager
-def whole_file(path: Path) -> Iterator[Path]:
-    """Give a name to write to beside `path`, and rename it to `path` at the end of the block.
-
-    Raises
-    ------
-    ScenarioError
-        The folder cannot be made or written.
-    """
-    draft = path.with_name(f".{path.stem}.{os.getpid()}.draft{path.suffix}")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        try:
-            yield draft
-            draft.replace(path)
-        finally:
-            draft.unlink(missing_ok=True)
-    except OSError as error:
-        raise ScenarioError(
-            f"{path}: cannot write ({error.strerror or error}); choose another folder"
-        ) from error
+__all__ = ["load_part", "make_folder", "part_path", "save_part"]
 
 
 def part_path(folder: Path, key: str, run: int) -> Path:
@@ -44,8 +20,31 @@ def part_path(folder: Path, key: str, run: int) -> Path:
     return folder / key / f"run-{run:05d}.npz"
 
 
+def make_folder(folder: Path) -> None:
+    """Make a folder with its parents, if it is not there.
+
+    Raises
+    ------
+    ScenarioError
+        It cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ScenarioError(
+            f"{folder}: cannot be made ({error.strerror}); choose another folder"
+        ) from error
+
+
 def save_part(path: Path, arrays: dict[str, NDArray[np.generic]]) -> None:
-    """Write the arrays of one run."""
+    """Write the arrays of one run.
+
+    Raises
+    ------
+    ScenarioError
+        The folder cannot be made or written.
+    """
+    make_folder(path.parent)
     with whole_file(path) as draft:
         np.savez(draft, **arrays)  # type: ignore[arg-type]
 

@@ -9,13 +9,14 @@ from __future__ import annotations
 import hashlib
 import logging
 import os
-import threading
 import zipfile
 from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
 
+from ...errors import MapDataError
+from ...whole_file import whole_file
 from ..road_network import RoadNetwork
 from .symbolic import Topology, build_topology
 from .threads import cores
@@ -64,16 +65,12 @@ def topology_hash(net: RoadNetwork) -> str:
 
 def _write(path: Path, net: RoadNetwork, topology: Topology) -> None:
     arrays = {item.name: getattr(topology, item.name) for item in fields(Topology)}
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.{threading.get_ident()}.tmp")
     try:
-        with temporary.open("wb") as out:
+        with whole_file(path, MapDataError) as draft, draft.open("wb") as out:
             np.savez(out, hash=np.array(topology_hash(net)), **arrays)
-        temporary.replace(path)
-    except OSError as error:
+    except MapDataError as error:
         # A map may lie in a folder that cannot be written; the hierarchy is then built each time.
-        log.info("%s: hierarchy not stored (%s)", path, error.strerror)
-    finally:
-        temporary.unlink(missing_ok=True)
+        log.info("%s: hierarchy not stored (%s)", path, error)
 
 
 def _read(path: Path, net: RoadNetwork) -> Topology | None:
