@@ -25,7 +25,7 @@ bench: $(DEV_STAMP)
 
 screenshots: $(DEV_STAMP)
 	$(BIN)/platoon-osm demo -o out
-	$(BIN)/python docs/screenshots.py out/demo.html docs/images
+	$(BIN)/python docs/screenshots.py out docs/images
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \

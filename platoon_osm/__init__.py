@@ -26,8 +26,12 @@ if TYPE_CHECKING:
     from .planning.joint import plan_joint
     from .planning.plans import JointPlan, VehiclePlan
     from .planning.trips import Trip
+    from .report.comparison import write_comparison
+    from .report.figures import write_figures
+    from .report.flows import write_flows
     from .report.gis import to_geodataframe, write_geopackage
-    from .report.page import write_html
+    from .report.page import explore, write_html
+    from .report.tracks import write_csv, write_gpx
     from .sources.load import load_network
     from .sources.synthetic import RandomNetwork
     from .study.monte_carlo import StudyResult, run_study
@@ -57,6 +61,12 @@ _WHERE = {
     "to_geodataframe": "report.gis",
     "write_geopackage": "report.gis",
     "write_html": "report.page",
+    "explore": "report.page",
+    "write_comparison": "report.comparison",
+    "write_csv": "report.tracks",
+    "write_figures": "report.figures",
+    "write_flows": "report.flows",
+    "write_gpx": "report.tracks",
     "load_network": "sources.load",
     "RandomNetwork": "sources.synthetic",
     "RoadTrips": "study.road_trips",
@@ -88,6 +98,7 @@ __all__ = [
     "Trip",
     "VehiclePlan",
     "__version__",
+    "explore",
     "load_network",
     "many_to_many",
     "paper_weights",
@@ -95,7 +106,12 @@ __all__ = [
     "plan_members",
     "run_study",
     "to_geodataframe",
+    "write_comparison",
+    "write_csv",
+    "write_figures",
+    "write_flows",
     "write_geopackage",
+    "write_gpx",
     "write_html",
 ]
 

@@ -5,15 +5,18 @@ from __future__ import annotations
 import argparse
 import logging
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from ._version import __version__
 from .errors import PlatoonError, ScenarioError
 from .study.options import add_study_options
+
+if TYPE_CHECKING:
+    from .planning.scenario import Scenario
 
 __all__ = ["main"]
 
@@ -25,6 +28,7 @@ EPILOG = """examples:
   platoon-osm download "Oberfranken, Germany" -o oberfranken.graphml
   platoon-osm prepare germany.osm.pbf --country DE -o germany.platoon
   platoon-osm plan corridor.toml --html plan.html --gpkg plan.gpkg
+  platoon-osm compare corridor.toml --cases A,B,C -o compare.html
   platoon-osm study --runs 100 --seed 0 -o out/study
 """
 
@@ -104,6 +108,15 @@ def _parser() -> argparse.ArgumentParser:
     plan.add_argument("--json", type=Path, help="plan as JSON to write")
     plan.add_argument("--case", help="A, B, C, D or best, instead of the scenario's")
     plan.set_defaults(run=_plan)
+
+    compare = verbs.add_parser("compare", help="plan a scenario in several ways, side by side")
+    compare.add_argument(
+        "scenario", type=Path, nargs="+",
+        help="scenario.toml; several must name one network, as with other [costs]",
+    )  # fmt: skip
+    compare.add_argument("--cases", help="such as A,B,C: each scenario in each of these cases")
+    compare.add_argument("-o", "--output", type=Path, required=True, help="page.html to write")
+    compare.set_defaults(run=_compare)
 
     study = verbs.add_parser("study", help="repeat the paper's experiment, beside its numbers")
     add_study_options(study)
@@ -250,11 +263,7 @@ def _plan(options: argparse.Namespace) -> None:
     if options.case:
         scenario = replace(scenario, options={**scenario.options, "case": options.case})
     outputs = [path for path in (options.html, options.gpkg, options.json) if path]
-    for path in outputs:
-        if not path.parent.is_dir():
-            raise ScenarioError(f"{path}: its folder does not exist; make it first")
-        if path.is_dir():
-            raise ScenarioError(f"{path}: is a folder; give the name of a file to write")
+    _check_outputs(outputs)
     with _steps(2 + len(outputs)) as begin:
         begin(f"loading {scenario.network['source']}")
         net = load_network(**scenario.network)
@@ -276,6 +285,59 @@ def _plan(options: argparse.Namespace) -> None:
     _say(plan.summary())
     for path in outputs:
         _say(f"Written: {path}")
+
+
+def _check_outputs(paths: Iterable[Path]) -> None:
+    for path in paths:
+        if not path.parent.is_dir():
+            raise ScenarioError(f"{path}: its folder does not exist; make it first")
+        if path.is_dir():
+            raise ScenarioError(f"{path}: is a folder; give the name of a file to write")
+
+
+def _compare(options: argparse.Namespace) -> None:
+    from .planning.scenario import read_scenario
+    from .report.comparison import write_comparison
+    from .sources.load import load_network
+
+    scenarios = [read_scenario(path) for path in options.scenario]
+    first = scenarios[0]
+    for other in scenarios[1:]:
+        if other.network != first.network:
+            raise ScenarioError(
+                f"{other.file}: names another network than {first.file}; compare plans on one"
+            )
+    _check_outputs([options.output])
+    variants = [variant for scenario in scenarios for variant in _in_cases(scenario, options.cases)]
+    with _steps(2 + len(variants)) as begin:
+        begin(f"loading {first.network['source']}")
+        net = load_network(**first.network)
+        plans = []
+        for title, scenario in variants:
+            begin(f"planning {title}")
+            plans.append(scenario.plan(net))
+        begin(f"writing {options.output}")
+        titles = [title for title, _ in variants]
+        write_comparison(plans, net, options.output, titles=titles, title=first.title)
+    for title, plan in zip(titles, plans, strict=True):
+        _say(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
+    _say(f"\nWritten: {options.output}")
+
+
+def _in_cases(scenario: Scenario, cases: str | None) -> list[tuple[str, Scenario]]:
+    """Return a scenario in each of some cases, with a title; as it stands if there are none."""
+    from dataclasses import replace
+
+    if not cases:
+        return [(scenario.title, scenario)]
+    return [
+        (
+            f"{scenario.title}, case {case}",
+            replace(scenario, options={**scenario.options, "case": case}),
+        )
+        for case in (part.strip() for part in cases.split(","))
+        if case
+    ]
 
 
 def _study(options: argparse.Namespace) -> None:

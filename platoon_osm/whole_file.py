@@ -15,16 +15,20 @@ __all__ = ["whole_file"]
 
 @contextmanager
 def whole_file(
-    path: str | os.PathLike[str], refusal: type[PlatoonError] = ScenarioError
+    path: str | os.PathLike[str],
+    refusal: type[PlatoonError] = ScenarioError,
+    *,
+    suffix: str | None = None,
 ) -> Iterator[Path]:
     """Give a place to write a file, and move it to `path` once the block ends without error.
 
     The draft lies in a folder of its own beside `path`, as some writers keep a journal beside
-    their file; both are gone afterwards. It has the suffix of `path`, which some writers look at.
+    their file; both are gone afterwards.
 
     Parameters
     ----------
     refusal : the error to raise if the file cannot be written.
+    suffix : of the draft, which some writers look at; by default that of `path`.
     """
     target = Path(path)
     try:
@@ -34,7 +38,7 @@ def whole_file(
             f"{target}: cannot be written ({error.strerror}); name a file in a folder that exists"
         ) from None
     with folder as name:
-        draft = Path(name) / f"draft{target.suffix}"
+        draft = Path(name) / f"draft{target.suffix if suffix is None else suffix}"
         try:
             yield draft
             draft.replace(target)

@@ -12,7 +12,7 @@ import platoon_osm
 from platoon_osm.cli import main
 
 ROOT = Path(__file__).resolve().parents[1]
-VERBS = ("demo", "maps", "prepare", "download", "plan", "study", "warmup")
+VERBS = ("demo", "maps", "prepare", "download", "plan", "study", "compare", "warmup")
 
 CORRIDOR = """
 title = "A small corridor"

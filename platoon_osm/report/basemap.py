@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..network.geodesy import metres_per_degree
 from ..network.road_network import RoadNetwork, ragged_order
-from .polyline import encode_polyline
+from .polyline import encode_lines, encode_polyline
 
 __all__ = ["BASEMAP_STEPS", "ROUTE_STEPS", "basemap_lines", "encoded_basemap", "encoded_route"]
 
@@ -23,13 +23,12 @@ BASEMAP_TOLERANCE_M = 20.0
 ROUTE_TOLERANCE_M = 8.0
 
 
-def encoded_basemap(net: RoadNetwork) -> dict[str, list[str]]:
+def encoded_basemap(net: RoadNetwork) -> dict[str, str]:
     """Return the network's lines, `known` from the map and `inferred` by the loader, encoded."""
     parts = {"known": ~net.inferred, "inferred": net.inferred}
     return {
-        label: sorted(
-            encode_polyline(line, BASEMAP_STEPS)
-            for line in basemap_lines(net, np.flatnonzero(chosen), BASEMAP_TOLERANCE_M)
+        label: encode_lines(
+            basemap_lines(net, np.flatnonzero(chosen), BASEMAP_TOLERANCE_M), BASEMAP_STEPS
         )
         for label, chosen in parts.items()
     }
@@ -48,16 +47,17 @@ def encoded_route(net: RoadNetwork, edges: tuple[int, ...]) -> str:
 
 
 def basemap_lines(
-    net: RoadNetwork, edges: NDArray[np.int64], tolerance_m: float
+    net: RoadNetwork, edges: NDArray[np.int64], tolerance_m: float, directed: bool = False
 ) -> list[NDArray[np.float64]]:
     """Return the lines of some edges, each (k, 2) lon and lat.
 
     A road that carries two edges of one shape, there and back, is drawn once. Lines meeting where
-    no third one does are joined, then simplified to within `tolerance_m` metres, ends kept.
+    no third one does are joined, then simplified to within `tolerance_m` metres, ends kept. If
+    `directed`, both ways are drawn, and lines run as they are driven.
     """
     import shapely
 
-    single = _one_of_each_pair(net, edges)
+    single = edges if directed else _one_of_each_pair(net, edges)
     if not len(single):
         return []
     points, first = ragged_order(net.shape_first, single)
@@ -65,7 +65,7 @@ def basemap_lines(
     flat = np.column_stack([net.shape_lon[points], net.shape_lat[points]]) * scale
     owner = np.repeat(np.arange(len(single)), np.diff(first))
     lines: Any = shapely.linestrings(flat, indices=owner)
-    merged = shapely.line_merge(shapely.multilinestrings(lines))
+    merged = shapely.line_merge(shapely.multilinestrings(lines), directed=directed)
     simple = shapely.simplify(shapely.get_parts(merged), tolerance_m)
     return [shapely.get_coordinates(line) / scale for line in simple]
 

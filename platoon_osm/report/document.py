@@ -6,7 +6,7 @@ in SI units and, where the page prints them, as text.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from ..costs.weights import EdgeWeights
@@ -14,18 +14,27 @@ from ..errors import ScenarioError
 from ..network.road_network import RoadNetwork
 from ..planning.plans import JointPlan, Stop, VehiclePlan
 from .basemap import encoded_basemap, encoded_route
+from .driver_fatigue import fatigue_along
 from .events import Event, platoon_events
+from .journey import Journey, journey, ways
 from .place_labels import junction_labels, town_labels
 from .provenance import provenance
 from .quantities import CostUnit, cost_unit, kilometres, litres, percent, signed
-from .sections import PlatoonSection, platoon_sections, solo_stretches
+from .sections import (
+    PlatoonPart,
+    PlatoonSection,
+    platoon_groups,
+    platoon_parts,
+    platoon_sections,
+    solo_stretches,
+)
 from .shown_text import fitted, shortened, shown
 from .solo_costs import known_weights, sum_over
 from .vehicle_styles import VehicleStyle, vehicle_styles
 
 __all__ = ["DOCUMENT_VERSION", "check_plan", "report_document"]
 
-DOCUMENT_VERSION = 1
+DOCUMENT_VERSION = 2
 
 MOST_NAMED = 5
 """Vehicles named one by one; a larger company is called the platoon."""
@@ -42,6 +51,7 @@ def report_document(
     *,
     title: str | None = None,
     weights: EdgeWeights | None = None,
+    styles: Mapping[str, VehicleStyle] | None = None,
 ) -> dict[str, Any]:
     """Return the document of a plan, plain JSON types throughout.
 
@@ -51,6 +61,8 @@ def report_document(
     title : heads the page; by default made from the first vehicle's journey.
     weights : those the plan was made with. The paper's preset needs none; for others they tell
         what a section costs alone and what a detour costs, which is left out without them.
+    styles : letter, colour and dash of each vehicle by its name; by default their own. Several
+        documents that share a page share these.
 
     Raises
     ------
@@ -61,24 +73,35 @@ def report_document(
     check_plan(plan, net)
     unit = cost_unit(plan.unit)
     known = known_weights(plan, net, weights)
-    styles = vehicle_styles([vehicle.vehicle for vehicle in plan.vehicles])
+    looks = (
+        vehicle_styles([vehicle.vehicle for vehicle in plan.vehicles])
+        if styles is None
+        else [styles[vehicle.vehicle] for vehicle in plan.vehicles]
+    )
     sections = platoon_sections(plan)
     events = platoon_events(plan, sections)
+    scale = journey(plan, net, sections)
     vehicles = [
-        _vehicle(vehicle, style, unit, known)
-        for vehicle, style in zip(plan.vehicles, styles, strict=True)
+        _vehicle(vehicle, style, unit, known, way)
+        for vehicle, style, way in zip(plan.vehicles, looks, ways(plan, sections), strict=True)
     ]
+    parts = platoon_parts(sections)
     return {
         "format": "platoon_osm report",
         "version": DOCUMENT_VERSION,
         "title": fitted(title) if title and shown(title) else _default_title(plan),
-        "subtitle": _subtitle(plan, events),
+        "subtitle": _subtitle(plan, events, sections),
         "cost_unit": {"label": unit.label, "note": unit.note},
         "totals": _totals(plan, net, sections, unit),
         "vehicles": vehicles,
-        "platoons": [_platoon(plan, net, part, styles, unit, known) for part in sections],
-        "solos": list(_solos(plan, net, styles, unit)),
-        "events": [_event(plan, net, event, styles) for event in events],
+        "groups": list(_groups(plan, net, sections, looks, unit)),
+        "platoons": [
+            _platoon(plan, net, section, cut, looks, unit, known)
+            for section, cut in zip(sections, parts, strict=True)
+        ],
+        "solos": list(_solos(plan, net, sections, looks, unit)),
+        "events": [_event(plan, net, event, looks, scale) for event in events],
+        "journey": _journey(scale),
         "inferred_routes": _inferred_routes(plan, net),
         "towns": town_labels(net),
         "junctions": junction_labels(net),
@@ -121,9 +144,12 @@ def _count(number: int, one: str, many: str) -> str:
     return f"{number} {one if number == 1 else many}"
 
 
-def _subtitle(plan: JointPlan, events: Sequence[Event]) -> str:
+def _subtitle(plan: JointPlan, events: Sequence[Event], sections: Sequence[PlatoonSection]) -> str:
     merges = sum(event.kind == "merge" for event in events)
     parts = [_count(len(plan.vehicles), "vehicle", "vehicles")]
+    groups = len(platoon_groups(sections, len(plan.vehicles)))
+    if groups > 1:
+        parts.append(f"{groups} platoons")
     if events:
         parts.append(_count(merges, "merge point", "merge points"))
         parts.append(_count(len(events) - merges, "separation point", "separation points"))
@@ -186,12 +212,59 @@ def _cost_texts(alone: float, joint: float, unit: CostUnit) -> dict[str, str]:
     }
 
 
+def _groups(
+    plan: JointPlan,
+    net: RoadNetwork,
+    sections: Sequence[PlatoonSection],
+    styles: Sequence[VehicleStyle],
+    unit: CostUnit,
+) -> Iterator[dict[str, Any]]:
+    """Yield platoons as groups of vehicles, then those who drive alone as one group."""
+    groups = platoon_groups(sections, len(plan.vehicles))
+    grouped = {index for group in groups for index in group}
+    alone = [index for index in range(len(plan.vehicles)) if index not in grouped]
+    kinds = [("platoon", list(group)) for group in groups] + [("alone", alone)] * bool(alone)
+    for number, (kind, members) in enumerate(kinds, 1):
+        own = [part for part in sections if part.vehicles[0] in members]
+        road_m = sum(sum_over(net.length_m, part.edges) for part in own)
+        before = sum(plan.vehicles[index].solo_cost for index in members)
+        after = sum(plan.vehicles[index].joint_cost for index in members)
+        facts = [_count(len(members), "vehicle", "vehicles")]
+        if len(members) > 1:
+            facts[0] += f" ({joined([styles[index].letter for index in members])})"
+        if kind == "platoon":
+            facts.append(f"{kilometres(road_m)} of road in platoon")
+        yield {
+            "kind": kind,
+            "name": f"Platoon {number}" if kind == "platoon" else "Driving alone",
+            "facts": ", ".join(facts),
+            "vehicles": members,
+            "road_m": road_m,
+            "saved": before - after,
+            "text": _cost_texts(before, after, unit),
+        }
+
+
+def _journey(scale: Journey | None) -> dict[str, Any] | None:
+    if scale is None:
+        return None
+    return {
+        "length_m": round(scale.length_m, 1),
+        "starts_m": [round(start, 1) for start in scale.starts_m],
+        "guide": scale.guide,
+    }
+
+
 def _stop(stop: Stop) -> dict[str, Any]:
     return {"lon": round(stop.lon, 6), "lat": round(stop.lat, 6), "name": fitted(stop.name)}
 
 
 def _vehicle(
-    vehicle: VehiclePlan, style: VehicleStyle, unit: CostUnit, known: EdgeWeights | None
+    vehicle: VehiclePlan,
+    style: VehicleStyle,
+    unit: CostUnit,
+    known: EdgeWeights | None,
+    way: list[tuple[str, int]],
 ) -> dict[str, Any]:
     saved = vehicle.solo_cost - vehicle.joint_cost
     detour = platoon_gain = None
@@ -227,6 +300,8 @@ def _vehicle(
         "platoon_gain": platoon_gain,
         "detour": detour,
         "reason": fitted(vehicle.reason),
+        "way": [[kind, piece] for kind, piece in way],
+        "fatigue": fatigue_along(vehicle),
         "text": {
             **_cost_texts(vehicle.solo_cost, vehicle.joint_cost, unit),
             "gain": "" if platoon_gain is None else unit.bare(platoon_gain),
@@ -239,7 +314,11 @@ def _vehicle(
 
 
 def _event(
-    plan: JointPlan, net: RoadNetwork, event: Event, styles: Sequence[VehicleStyle]
+    plan: JointPlan,
+    net: RoadNetwork,
+    event: Event,
+    styles: Sequence[VehicleStyle],
+    scale: Journey | None,
 ) -> dict[str, Any]:
     movers = joined([styles[i].letter for i in event.movers])
     others = [styles[i].letter for i in event.others]
@@ -259,9 +338,18 @@ def _event(
         "name": fitted(event.point.name),
         "vehicles": event.movers,
         "others": list(event.others),
+        "at_m": _on_scale(plan, event, scale),
         "text": what,
         "detail": _event_detail(plan, net, event),
     }
+
+
+def _on_scale(plan: JointPlan, event: Event, scale: Journey | None) -> float | None:
+    if scale is None:
+        return None
+    vehicle = plan.vehicles[event.movers[0]]
+    point = vehicle.merge if event.kind == "merge" else vehicle.separation
+    return round(scale.starts_m[event.movers[0]] + (point.km if point else 0.0) * 1000, 1)
 
 
 def joined(letters: Sequence[str], most: int = MOST_NAMED) -> str:
@@ -295,6 +383,7 @@ def _platoon(
     plan: JointPlan,
     net: RoadNetwork,
     section: PlatoonSection,
+    parts: Sequence[PlatoonPart],
     styles: Sequence[VehicleStyle],
     unit: CostUnit,
     known: EdgeWeights | None,
@@ -316,7 +405,14 @@ def _platoon(
         "vehicles": list(section.vehicles),
         "length_m": length_m,
         "costs": shares,
-        "line": encoded_route(net, section.edges),
+        "parts": [
+            {
+                "line": encoded_route(net, part.edges),
+                "beside": list(part.beside),
+                "place": part.place,
+            }
+            for part in parts
+        ],
         "tip": {
             "head": f"Platoon of {letters}",
             "lines": [f"{kilometres(length_m)}; costs in {unit.label}"],
@@ -340,9 +436,13 @@ def _section_costs(
 
 
 def _solos(
-    plan: JointPlan, net: RoadNetwork, styles: Sequence[VehicleStyle], unit: CostUnit
+    plan: JointPlan,
+    net: RoadNetwork,
+    sections: Sequence[PlatoonSection],
+    styles: Sequence[VehicleStyle],
+    unit: CostUnit,
 ) -> Iterator[dict[str, Any]]:
-    for stretch in solo_stretches(plan):
+    for stretch in solo_stretches(plan, sections):
         vehicle, leg = plan.vehicles[stretch.vehicle], stretch.leg
         name = fitted(vehicle.vehicle)
         letter = styles[stretch.vehicle].letter
@@ -355,7 +455,7 @@ def _solos(
                     "line": encoded_route(net, part.edges),
                     "slot": part.slot,
                     "slots": part.slots,
-                    "band": part.band,
+                    "bands": list(part.bands),
                 }
                 for part in stretch.parts
             ],

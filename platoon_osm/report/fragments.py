@@ -13,13 +13,17 @@ from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from string import Template
 
-__all__ = ["Markup", "asset", "fill", "join"]
+__all__ = ["Markup", "asset", "compact_asset", "fill", "fill_page", "join"]
+
+FRAGMENT_FILES = (
+    "panel.html", "legend.html", "map.svg.html", "charts.html", "comparison.html", "flows.html",
+)  # fmt: skip
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)
 
 
 class Markup(str):
-    """Text that is markup already; only `fill`, `join` and `asset_markup` make it."""
+    """Text that is markup already; only `fill`, `join` and `compact_asset` make it."""
 
     __slots__ = ()
 
@@ -29,11 +33,22 @@ def asset(name: str) -> str:
     return (files(__package__) / "assets" / name).read_text("utf-8")
 
 
+def compact_asset(name: str) -> Markup:
+    """Return a script or style sheet without its comments on lines of their own, nor indents.
+
+    No text in our scripts runs over a line end, so nothing else changes; a test holds them to it.
+    """
+    bare = re.sub(r"^[ \t]*/\*.*?\*/[ \t]*\n", "", asset(name), flags=re.DOTALL | re.MULTILINE)
+    lines = (line.strip() for line in bare.splitlines())
+    kept = (line for line in lines if line and not line.startswith("//"))
+    return Markup("\n".join(kept) + "\n")
+
+
 @functools.cache
 def _fragments() -> Mapping[str, Template]:
     """Read all fragment files: each fragment begins with a comment that names it."""
     found: dict[str, Template] = {}
-    for name in ("panel.html", "legend.html", "map.svg.html"):
+    for name in FRAGMENT_FILES:
         parts = _FRAGMENT.split(asset(name))
         for label, body in zip(parts[1::2], parts[2::2], strict=True):
             found[label] = Template(body.strip("\n"))
@@ -52,6 +67,13 @@ def fill(fragment: str, /, **values: object) -> Markup:
     """
     safe = {name: _escaped(value) for name, value in values.items()}
     return Markup(_fragments()[fragment].substitute(safe))
+
+
+def fill_page(name: str, /, *, title: str, body: Markup, policy: str, **parts: str) -> str:
+    """Fill a whole page from a file: its title is escaped, `parts` are our own code, as it is."""
+    return Template(asset(name)).substitute(
+        title=_escaped(title), body=body, policy=policy, **parts
+    )
 
 
 def join(parts: Iterable[Markup]) -> Markup:

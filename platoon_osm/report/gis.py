@@ -10,6 +10,7 @@ import numpy as np
 
 from ..network.road_network import ROAD_CLASSES, RoadNetwork
 from ..planning.plans import JointPlan
+from ..whole_file import whole_file
 from .document import check_plan
 from .events import platoon_events
 from .provenance import credits, proof_text
@@ -17,12 +18,11 @@ from .quantities import cost_unit
 from .sections import platoon_sections
 from .shown_text import shown
 from .solo_costs import sum_over
-from .whole_file import draft_of
 
 if TYPE_CHECKING:
     import geopandas
 
-__all__ = ["to_geodataframe", "write_geopackage"]
+__all__ = ["leg_table", "to_geodataframe", "write_geopackage"]
 
 CRS = "EPSG:4326"
 
@@ -39,6 +39,12 @@ def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame
     ScenarioError
         A plan of another network.
     """
+    columns, lines = leg_table(plan, net)
+    return _lines_frame(columns, lines)
+
+
+def leg_table(plan: JointPlan, net: RoadNetwork) -> tuple[dict[str, list[Any]], list[Any]]:
+    """Return the columns of `to_geodataframe` and the line of each row, (k, 2) lon and lat."""
     check_plan(plan, net)
     credit = " \u00b7 ".join(credits(plan, net))
     columns: dict[str, list[Any]] = {
@@ -62,7 +68,7 @@ def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame
             )  # fmt: skip
             for values, value in zip(columns.values(), row, strict=True):
                 values.append(value)
-    return _lines_frame(columns, lines)
+    return columns, lines
 
 
 def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
@@ -87,7 +93,7 @@ def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[
         ("network", _network(net), "LineString"),
         ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
     ]
-    with draft_of(path, ".gpkg") as draft:
+    with whole_file(path, suffix=".gpkg") as draft:
         for name, frame, kind in layers:
             try:
                 pyogrio.write_dataframe(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import hashlib
 import os
 import re
@@ -22,15 +21,12 @@ LEAFLET_VERSION = "1.9.3"
 SHA256 = {
     "leaflet.js": "5819285cec137b229c94e1ee5ad73e8b6b84345a4367d60f75fe477fe0fb7b03",
     "leaflet.css": "90b693d86392a4779c861b28cf307e7e59c3fb35328c4d8b95f58f814d38c722",
-    "images/layers.png": "1dbbe9d028e292f36fcba8f8b3a28d5e8932754fc2215b9ac69e4cdecf5107c6",
-    "images/layers-2x.png": "066daca850d8ffbef007af00b06eac0015728dee279c51f3cb6c716df7c42edf",
-    "images/marker-icon.png": "574c3a5cca85f4114085b6841596d62f00d7c892c7b03f28cbfa301deb1dc437",
 }
 
 
 @dataclass(frozen=True, slots=True)
 class Leaflet:
-    """Leaflet's script, and its style sheet with the images inside."""
+    """Leaflet's script, and its style sheet without the images."""
 
     script: str
     style: str
@@ -41,7 +37,7 @@ def load_leaflet(directory: str | os.PathLike[str] | None = None) -> Leaflet:
 
     Parameters
     ----------
-    directory : holds leaflet.js, leaflet.css and images/, as in Leaflet's own archive.
+    directory : holds leaflet.js and leaflet.css, as Leaflet's own archive does.
 
     Raises
     ------
@@ -56,11 +52,8 @@ def load_leaflet(directory: str | os.PathLike[str] | None = None) -> Leaflet:
         root = _installed()
         remedy = "reinstall it: pip install --force-reinstall XStatic-Leaflet==1.9.3.0"
     files = {name: _read(root, name, remedy) for name in SHA256}
-    style = files["leaflet.css"].decode()
-    for name in SHA256:
-        if name.endswith(".png"):
-            data = base64.b64encode(files[name]).decode()
-            style = style.replace(f"url({name})", f"url(data:image/png;base64,{data})")
+    # Its images serve its own layer control and marker, which the page does not use.
+    style = re.sub(r"url\(images/[\w.-]+\)", "none", files["leaflet.css"].decode())
     # The map of the minified source is not carried along, so nothing must ask for it.
     script = re.sub(r"\n//# sourceMappingURL=.*", "", files["leaflet.js"].decode())
     return Leaflet(script=script.strip() + "\n", style=style.replace("\r\n", "\n"))
@@ -79,9 +72,7 @@ def _installed() -> Traversable:
 
 
 def _read(root: Path | Traversable, name: str, remedy: str) -> bytes:
-    place = root
-    for part in name.split("/"):
-        place = place / part
+    place = root / name
     try:
         data = place.read_bytes()
     except OSError as error:

@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-import base64
-import hashlib
-import html
-import json
 import os
 import re
-from string import Template
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
@@ -16,16 +11,17 @@ from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
 from ..network.road_network import RoadNetwork
 from ..planning.plans import JointPlan
+from ..whole_file import whole_file
 from .document import report_document
-from .fragments import asset, fill
+from .fragments import Markup, asset, compact_asset, fill, fill_page
 from .leaflet import Leaflet, load_leaflet
 from .panel import page_body
-from .whole_file import draft_of
+from .security import json_for_html, policy
 
 if TYPE_CHECKING:
     import folium
 
-__all__ = ["plan_map", "write_html"]
+__all__ = ["explore", "plan_map", "write_html"]
 
 LEAFLET_LICENCE = "leaflet-licence.txt"
 
@@ -64,7 +60,7 @@ def write_html(
         plan, net, title=title, tiles=tiles, leaflet_dir=leaflet_dir, weights=weights
     )  # fmt: skip
     text = made.get_root().render()
-    with draft_of(path) as draft:
+    with whole_file(path) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")
 
 
@@ -91,6 +87,20 @@ def plan_map(
     return PlanMap(PageParts(document, load_leaflet(leaflet_dir)))
 
 
+def explore(plan: JointPlan, net: RoadNetwork, *, height: int = 640, **options: Any) -> folium.Map:
+    """Return the report of a plan for a notebook, which shows it as it is.
+
+    Parameters
+    ----------
+    height : of the frame in the notebook, in pixels.
+    options : as of `plan_map`.
+    """
+    made = plan_map(plan, net, **options)
+    figure: Any = made.get_root()
+    figure.width, figure.height, figure.ratio = "100%", f"{height}px", None
+    return made
+
+
 class PageParts:
     """What a page is put together from, apart from what folium contributes."""
 
@@ -107,46 +117,24 @@ class PageParts:
         header, extra : markup for the head and the end of the body, from folium.
         script : from folium, creates the map; the page's own script follows it.
         """
-        scripts = [self.leaflet.script, f"{script.strip()}\n{asset('page.js')}"]
-        styles = [self.leaflet.style, asset("page.css")]
+        own = "".join(compact_asset(name) for name in ("journey.js", "page.js"))
+        scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
+        styles = [self.leaflet.style, compact_asset("page.css")]
         body = page_body(self.document, fill("live-map", id=map_id))
-        return Template(asset("page.html")).substitute(
-            policy=_policy(scripts, styles, self.document["tiles"]),
-            title=html.escape(self.document["title"]),
+        tiles = self.document["tiles"]
+        return fill_page(
+            "page.html",
+            policy=policy(scripts, styles, tiles["origin"] if tiles else ""),
+            title=self.document["title"],
             licences=asset(LEAFLET_LICENCE).strip(),
             leaflet_style=styles[0],
             page_style=styles[1],
             header=header.strip(),
-            body=f"{body}\n{extra.strip()}".strip(),
+            body=Markup(f"{body}\n{extra.strip()}".strip()),
             data=json_for_html(self.document),
             leaflet_script=scripts[0],
             script=scripts[1],
         )
-
-
-def json_for_html(data: Any) -> str:
-    """Return JSON that cannot end the script element it stands in, nor a line of JavaScript."""
-    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return re.sub("[<>&\u2028\u2029]", lambda found: f"\\u{ord(found.group()):04x}", text)
-
-
-def _policy(scripts: list[str], styles: list[str], tiles: dict[str, Any] | None) -> str:
-    """Return the content security policy that allows these scripts and styles, and no others."""
-    images = "data:" + (f" {tiles['origin']}" if tiles else "")
-    return "; ".join(
-        [
-            "default-src 'none'",
-            "script-src " + " ".join(_source_hash(text) for text in scripts),
-            "style-src " + " ".join(_source_hash(text) for text in styles),
-            f"img-src {images}",
-            "base-uri 'none'",
-            "form-action 'none'",
-        ]
-    )
-
-
-def _source_hash(text: str) -> str:
-    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
 def _tile_layer(tiles: str) -> dict[str, Any]:

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from .charts import along_chart, fatigue_chart
 from .fragments import Markup, fill, join
-from .static_map import band_lines, static_map
+from .map_view import band_lines
+from .static_map import static_map
 
 __all__ = ["page_body"]
 
 NOTHING = Markup("")
+
+OPEN_UP_TO = 12
+"""Vehicles in a plan all of whose groups are open from the start."""
 
 COMPACT_BEYOND = 8
 """More vehicles than this get the narrow table, which scrolls."""
@@ -33,16 +38,69 @@ def page_body(document: dict[str, Any], live_map: Markup) -> Markup:
         title=document["title"],
         subtitle=document["subtitle"],
         figures=join(fill("figure", **figure) for figure in document["totals"]["figures"]),
-        unit=document["cost_unit"]["label"],
-        table=_table(document),
-        unit_note=_unit_note(document),
-        bars=_bars(document),
-        events=_events(document),
+        journey=_journey(document),
+        vehicles=_vehicles(document),
+        fatigue=fatigue_chart(document),
         notes=_notes(document),
         proof=fill("proof", text=about["proof"]) if about["proof"] else NOTHING,
         rows=join(_about_row(label, text) for label, text in about["rows"]),
         remarks=_items("remarks", about["remarks"]),
         credit_items=join(fill("item", text=text) for text in about["credits"]),
+    )
+
+
+def _journey(document: dict[str, Any]) -> Markup:
+    scale = document["journey"]
+    return NOTHING if scale is None else fill("journey", km=f"{scale['length_m'] / 1000:.4f}")
+
+
+def _vehicles(document: dict[str, Any]) -> Markup:
+    """Return table, bars, way and events: at once for one small group, else group by group."""
+    groups, every = document["groups"], range(len(document["vehicles"]))
+    unit, note = document["cost_unit"]["label"], _unit_note(document)
+    totals = document["totals"]
+    platoons = [group for group in groups if group["kind"] == "platoon"]
+    if len(every) <= COMPACT_BEYOND and len(platoons) <= 1:
+        return fill(
+            "one-group",
+            unit=unit,
+            unit_note=note,
+            table=_table(document, every, "All vehicles", totals["text"], "Costs"),
+            bars=_bars(document, every),
+            along=along_chart(document, every),
+            events=_events(document, every),
+        )
+    return fill(
+        "groups",
+        unit=unit,
+        unit_note=note,
+        overview=join(
+            fill(
+                "overview-row", name=group["name"], facts=group["facts"],
+                sign=_sign(group["saved"]), **group["text"],
+            )
+            for group in groups
+        ),
+        groups=join(_group(document, number, group) for number, group in enumerate(groups)),
+        sign=_sign(totals["solo_cost"] - totals["joint_cost"]),
+        **totals["text"],
+    )  # fmt: skip
+
+
+def _group(document: dict[str, Any], number: int, group: dict[str, Any]) -> Markup:
+    members, key = group["vehicles"], f"-{number}"
+    together = group["kind"] == "platoon"
+    # A few groups are open from the start; of many, the first shows what the others hold.
+    is_open = number == 0 or (len(document["vehicles"]) <= OPEN_UP_TO and together)
+    return fill(
+        "group",
+        open=fill("group-open") if is_open else NOTHING,
+        name=group["name"],
+        facts=group["facts"],
+        table=_table(document, members, "Together", group["text"], f"Costs, {group['name']}"),
+        bars=_bars(document, members, key) if together else NOTHING,
+        along=along_chart(document, members, key) if together else NOTHING,
+        events=_events(document, members, key),
     )
 
 
@@ -78,10 +136,13 @@ def _sign(saved: float) -> str:
     return "gain" if saved > 0 else "loss" if saved < 0 else "even"
 
 
-def _table(document: dict[str, Any]) -> Markup:
-    totals = document["totals"]
+def _table(
+    document: dict[str, Any], members: Sequence[int], total: str, text: Mapping[str, str],
+    label: str,
+) -> Markup:  # fmt: skip
+    """Return the costs of some vehicles, one a row, and their sum."""
     rows = []
-    for vehicle in document["vehicles"]:
+    for vehicle in (document["vehicles"][index] for index in members):
         facts: object = f"{vehicle['role_text']}, {vehicle['length_text']}"
         if vehicle["name"]:
             facts = fill("vehicle-name", name=vehicle["name"], facts=facts)
@@ -100,18 +161,18 @@ def _table(document: dict[str, Any]) -> Markup:
             )
         )
     return fill(
-        "table", rows=join(rows),
+        "table", rows=join(rows), total=total, label=label,
         density=" compact" if len(rows) > COMPACT_BEYOND else "",
-        sign=_sign(totals["solo_cost"] - totals["joint_cost"]), **totals["text"],
+        sign=_sign(sum(document["vehicles"][index]["saved"] for index in members)), **text,
     )  # fmt: skip
 
 
 # -- bars ------------------------------------------------------------------------------------------
 
 
-def _bars(document: dict[str, Any]) -> Markup:
+def _bars(document: dict[str, Any], members: Sequence[int], key: str = "") -> Markup:
     """Return a bar per vehicle: what the platoon gains it, against what its detour costs."""
-    vehicles = document["vehicles"]
+    vehicles = [document["vehicles"][index] for index in members]
     split = all(vehicle["detour"] is not None for vehicle in vehicles)
     gains = [v["platoon_gain"] if split else max(v["saved"], 0.0) for v in vehicles]
     losses = [v["detour"] if split else max(-v["saved"], 0.0) for v in vehicles]
@@ -138,6 +199,7 @@ def _bars(document: dict[str, Any]) -> Markup:
     title = f"{'Gain in platoon, less the longer way' if split else 'Saving'}, {unit}"
     return fill(
         "bars",
+        key=key,
         title=title,
         height=22 + BAR_ROW * len(vehicles) - 4,
         zero=f"{zero:.1f}",
@@ -184,7 +246,7 @@ def _bar_row(
 # -- lists -----------------------------------------------------------------------------------------
 
 
-def _events(document: dict[str, Any]) -> Markup:
+def _events(document: dict[str, Any], members: Sequence[int], key: str = "") -> Markup:
     items = [
         fill(
             "event",
@@ -197,8 +259,9 @@ def _events(document: dict[str, Any]) -> Markup:
             detail=event["detail"],
         )
         for index, event in enumerate(document["events"])
+        if set(event["vehicles"]) & set(members)
     ]
-    return fill("events", items=join(items)) if items else NOTHING
+    return fill("events", key=key, items=join(items)) if items else NOTHING
 
 
 def _notes(document: dict[str, Any]) -> Markup:

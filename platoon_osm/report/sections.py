@@ -6,12 +6,15 @@ Also which lane of the drawing each gets, so that lines on one road lie side by 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..planning.plans import JointPlan, Leg
 
-__all__ = ["PlatoonSection", "SoloStretch", "platoon_sections", "solo_stretches"]
+__all__ = [
+    "PlatoonPart", "PlatoonSection", "SoloPart", "SoloStretch", "platoon_groups", "platoon_parts",
+    "platoon_sections", "solo_stretches",
+]  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +32,22 @@ class PlatoonSection:
 
 
 @dataclass(frozen=True, slots=True)
+class PlatoonPart:
+    """A part of a platoon section along which the same other platoons use the road.
+
+    Attributes
+    ----------
+    edges : edge ids in driving order.
+    beside : number of vehicles in each band on the road, from left to right.
+    place : which of those bands is this one's.
+    """
+
+    edges: tuple[int, ...]
+    beside: tuple[int, ...]
+    place: int
+
+
+@dataclass(frozen=True, slots=True)
 class SoloPart:
     """A part of a solo stretch, drawn in one lane.
 
@@ -36,13 +55,13 @@ class SoloPart:
     ----------
     edges : edge ids in driving order.
     slot, slots : this vehicle's place among the solo vehicles on the road, and their number.
-    band : vehicles in platoon on the same road, beside whose band the line is drawn.
+    bands : vehicles in each platoon on the same road, beside whose bands the line is drawn.
     """
 
     edges: tuple[int, ...]
     slot: int
     slots: int
-    band: int
+    bands: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,16 +110,67 @@ def _company(plan: JointPlan) -> dict[tuple[int, int], tuple[int, ...]]:
     }
 
 
-def solo_stretches(plan: JointPlan) -> Iterator[SoloStretch]:
+def platoon_groups(sections: Sequence[PlatoonSection], vehicles: int) -> list[tuple[int, ...]]:
+    """Return who belongs together: vehicles linked by sections, in order of their first vehicle.
+
+    Two vehicles are in one group if they share a section, or each shares one with a third.
+    Vehicles without any section are in no group.
+    """
+    head = list(range(vehicles))
+
+    def first(index: int) -> int:
+        while head[index] != index:
+            index = head[index]
+        return index
+
+    for section in sections:
+        heads = sorted({first(index) for index in section.vehicles})
+        for other in heads[1:]:
+            head[other] = heads[0]
+    members: dict[int, list[int]] = defaultdict(list)
+    for index in range(vehicles):
+        members[first(index)].append(index)
+    return [tuple(group) for group in members.values() if len(group) > 1]
+
+
+def platoon_parts(sections: Sequence[PlatoonSection]) -> list[tuple[PlatoonPart, ...]]:
+    """Cut each section where other platoons come onto its road or leave it."""
+    on_edge = _bands(sections)
+    result: list[tuple[PlatoonPart, ...]] = []
+    for number, section in enumerate(sections):
+        parts: list[PlatoonPart] = []
+        for edge in section.edges:
+            beside = tuple(len(sections[other].vehicles) for other in on_edge[edge])
+            lane = beside, on_edge[edge].index(number)
+            last = parts[-1] if parts else None
+            if last and (last.beside, last.place) == lane:
+                parts[-1] = PlatoonPart((*last.edges, edge), *lane)
+            else:
+                parts.append(PlatoonPart((edge,), *lane))
+        result.append(tuple(parts))
+    return result
+
+
+def _bands(sections: Sequence[PlatoonSection]) -> dict[int, list[int]]:
+    """Return for each edge the sections that use it; those of one vehicle keep their side."""
+    on_edge: dict[int, list[int]] = defaultdict(list)
+    for number in sorted(range(len(sections)), key=lambda one: sections[one].vehicles):
+        for edge in dict.fromkeys(sections[number].edges):
+            on_edge[edge].append(number)
+    return on_edge
+
+
+def solo_stretches(
+    plan: JointPlan, sections: Sequence[PlatoonSection] | None = None
+) -> Iterator[SoloStretch]:
     """Yield the solo legs of all vehicles, each cut into parts of one lane."""
+    sections = platoon_sections(plan) if sections is None else sections
+    bands = _bands(sections)
     alone: dict[int, list[int]] = defaultdict(list)
-    band: dict[int, int] = defaultdict(int)
     for index, vehicle in enumerate(plan.vehicles):
         for leg in vehicle.legs:
             for edge in leg.edges:
-                if leg.role == "platoon":
-                    band[edge] += 1
-                elif index not in alone[edge]:
+                if leg.role != "platoon" and index not in alone[edge]:
                     alone[edge].append(index)
     for index, vehicle in enumerate(plan.vehicles):
         for leg in vehicle.legs:
@@ -108,9 +178,10 @@ def solo_stretches(plan: JointPlan) -> Iterator[SoloStretch]:
                 continue
             parts: list[SoloPart] = []
             for edge in leg.edges:
-                lane = alone[edge].index(index), len(alone[edge]), band.get(edge, 0)
+                beside = tuple(len(sections[other].vehicles) for other in bands.get(edge, ()))
+                lane = alone[edge].index(index), len(alone[edge]), beside
                 last = parts[-1] if parts else None
-                if last and (last.slot, last.slots, last.band) == lane:
+                if last and (last.slot, last.slots, last.bands) == lane:
                     parts[-1] = SoloPart((*last.edges, edge), *lane)
                 else:
                     parts.append(SoloPart((edge,), *lane))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from po_valley import THREE, fifty, make_plan, po_valley
+from po_valley import THREE, fifty, make_plan, po_valley, two_platoons
 
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
@@ -29,6 +29,12 @@ def plan(net: RoadNetwork) -> JointPlan:
 def many(net: RoadNetwork) -> JointPlan:
     """Fifty vehicles, some of them alone."""
     return make_plan(net, fifty())
+
+
+@pytest.fixture(scope="session")
+def two(net: RoadNetwork) -> JointPlan:
+    """Two platoons on one road, and a vehicle alone."""
+    return two_platoons(net)
 
 
 @pytest.fixture(scope="session")
@@ -81,7 +87,10 @@ def visit(chromium: Any) -> Iterator[Callable[..., Opened]]:
     """Open a file in a fresh context with the network cut."""
     contexts: list[Any] = []
 
-    def opened(path: Path, width: int = 1440, height: int = 900, **options: Any) -> Opened:
+    def opened(
+        path: Path, width: int = 1440, height: int = 900,
+        wait_for: str | None = "#map_plan[data-ready]", **options: Any,
+    ) -> Opened:  # fmt: skip
         context = chromium.new_context(
             viewport={"width": width, "height": height}, offline=True, **options
         )
@@ -89,8 +98,8 @@ def visit(chromium: Any) -> Iterator[Callable[..., Opened]]:
         context.set_default_timeout(20_000)
         found = Opened(context.new_page())
         found.page.goto(path.as_uri())
-        if options.get("java_script_enabled", True):
-            found.page.wait_for_selector("#map_plan[data-ready]")
+        if wait_for and options.get("java_script_enabled", True):
+            found.page.wait_for_selector(wait_for)
         return found
 
     yield opened

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -282,3 +283,20 @@ def fifty() -> list[Journey]:
     journeys: list[Journey] = [("Truck 1", "Torino", "Trieste", None, None)]
     journeys += [(f"Truck {i + 2}", *ways[i % len(ways)]) for i in range(49)]
     return journeys
+
+
+TWO_PLATOONS: list[list[Journey]] = [
+    THREE,
+    [
+        ("D", "Aosta", "Udine Sud", None, None),
+        ("E", "Savona", "Portogruaro", "Rho-Pero", "Portogruaro"),
+        ("F", "Como", "Padova Est", "Rho-Pero", "Padova Est"),
+        ("G", "Parma", "La Spezia", None, None),
+    ],
+]
+
+
+def two_platoons(net: RoadNetwork, rename: Rename = str) -> JointPlan:
+    """Two platoons that share much of their road, and a vehicle alone."""
+    first, second = (make_plan(net, journeys, rename) for journeys in TWO_PLATOONS)
+    return replace(first, vehicles=(*first.vehicles, *second.vehicles))

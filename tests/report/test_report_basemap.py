@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.report.basemap import basemap_lines, encoded_basemap, encoded_route
 from platoon_osm.report.leaflet import load_leaflet
+from platoon_osm.report.map_view import shifted
 from platoon_osm.report.placement import SOLID, Box, Cover
 from platoon_osm.report.polyline import decode_polyline, encode_polyline
 from platoon_osm.report.shown_text import shown
-from platoon_osm.report.static_map import shifted
 
 COORDINATE = st.tuples(st.floats(-180, 180), st.floats(-85, 85))
 

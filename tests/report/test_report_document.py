@@ -213,6 +213,11 @@ def test_credits(source: Source, credits: list[str]) -> None:
             "Heuristic: found by the paper's A*, 2.0\u202f% above the optimum; "
             "the optimum costs 1.0\u00a0km\u00a0eq..",
         ),
+        (
+            {"kind": "heuristic", "excess": -0.015, "solo_excess": 0.25},
+            "Heuristic: found by the paper's A*, 1.5\u202f% below the optimum; "
+            "its routes alone cost 25.0\u202f% above the least.",
+        ),
         ({}, ""),
     ],
 )

@@ -63,7 +63,7 @@ def test_geopackage_without_platoons(net: RoadNetwork, tmp_path: Path) -> None:
 
 
 def test_no_folder_is_said_in_one_line(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
-    with pytest.raises(ScenarioError, match="cannot write here") as caught:
+    with pytest.raises(ScenarioError, match="cannot be written") as caught:
         write_geopackage(plan, net, tmp_path / "missing" / "plan.gpkg")
     assert "\n" not in str(caught.value)
 

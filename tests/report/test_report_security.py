@@ -12,14 +12,14 @@ from typing import Any
 
 import pytest
 from hostile_names import HOSTILE
-from po_valley import THREE, make_plan, po_valley
+from po_valley import THREE, make_plan, po_valley, two_platoons
 
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
-from platoon_osm.report import write_html
+from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.fragments import fill
-from platoon_osm.report.page import json_for_html
+from platoon_osm.report.security import json_for_html
 from platoon_osm.report.shown_text import fitted, shown
 
 
@@ -40,7 +40,7 @@ def hostile_case(name: str) -> tuple[JointPlan, RoadNetwork]:
 
 
 def test_the_corpus_is_large() -> None:
-    assert len(set(HOSTILE)) == len(HOSTILE) >= 40
+    assert len(set(HOSTILE)) == len(HOSTILE) >= 60
 
 
 @pytest.mark.parametrize("name", HOSTILE, ids=range(len(HOSTILE)))
@@ -61,6 +61,66 @@ def test_markup_of_the_file_is_ours(
     data = re.search(r'id="plan-data">(.*?)</script>', hostile, re.S)
     assert data is not None
     assert json.loads(data.group(1))["towns"][0][2].startswith("Milano")
+
+
+@pytest.mark.parametrize("name", HOSTILE[::3], ids=range(0, len(HOSTILE), 3))
+def test_markup_of_the_other_pages_is_ours(name: str, tmp_path: Path) -> None:
+    plan, net = hostile_case(name)
+    tame, tame_net = hostile_case("Name")
+    pages = {}
+    for label, one, road in (("hostile", plan, net), ("plain", tame, tame_net)):
+        word = name if label == "hostile" else "Name"
+        write_comparison([one, one], road, tmp_path / f"c-{label}", titles=[word] * 2, title=word)
+        write_flows(one, road, tmp_path / f"f-{label}", title=word)
+        pages[label] = [(tmp_path / f"{kind}-{label}").read_text() for kind in "cf"]
+    for hostile, plain in zip(pages["hostile"], pages["plain"], strict=True):
+        assert markup_of(hostile) <= markup_of(plain)
+        assert "<h1" in hostile
+
+
+OTHER_PAGES = 4
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("page_number", range(OTHER_PAGES))
+@pytest.mark.parametrize("kind", ["comparison", "flows"])
+def test_nothing_runs_in_the_other_pages(
+    kind: str, page_number: int, visit: Callable[..., Any], tmp_path: Path
+) -> None:
+    given: dict[str, str] = {}
+    start = page_number * len(HOSTILE) // OTHER_PAGES
+
+    def spoiled(text: str) -> str:
+        return given.setdefault(text, f"{text} {HOSTILE[(start + len(given)) % len(HOSTILE)]}")
+
+    one = HOSTILE[start]
+    net = po_valley(spoiled, Source(one, one, one, one, one))
+    plan = replace(
+        two_platoons(net, spoiled), case=one, asked=one, objective=one, method=one, version=one,
+        proof={"kind": one, "conditions": HOSTILE},
+    )  # fmt: skip
+    path = tmp_path / "hostile.html"
+    if kind == "flows":
+        write_flows(plan, net, path, title=f"Title {one}")
+    else:
+        titles = HOSTILE[start : start + 16]
+        write_comparison([plan] * 16, net, path, titles=titles, title=f"Title {one}")
+    opened = visit(path, wait_for="h1")
+    page = opened.page
+    assert page.locator("h1").text_content() == fitted(f"Title {one}")
+    if kind == "flows":
+        for row in page.locator(".list summary").all():
+            row.click()
+        ends = page.locator(".list summary small bdi").all_text_contents()
+        first = plan.vehicles[0]
+        assert ends[:2] == [fitted(first.origin.name), fitted(first.destination.name)]
+        page.get_by_role("searchbox").fill(one)
+    else:
+        heads = page.locator(".card h2").all_text_contents()
+        assert heads == [fitted(name) or "Plan" for name in titles]
+    assert page.evaluate("window.hacked") is None
+    assert page.evaluate("document.documentElement.scrollWidth") <= 1440
+    opened.check(path)
 
 
 def markup_of(text: str) -> set[tuple[str, ...]]:

@@ -58,6 +58,16 @@ function decoded(text, steps) {
   return points;
 }
 
+/* Many lines in one text, each counted from the first point of the one before. */
+function decodedLines(text, steps) {
+  let start = [0, 0];
+  return text.split(" ").filter(Boolean).map((line) => {
+    const points = decoded(line, steps).map(([lat, lon]) => [lat + start[0], lon + start[1]]);
+    start = points[0];
+    return points;
+  });
+}
+
 /* The line `aside` pixels to the right of a line of pixels; corners are mitred within limits. */
 function shifted(points, aside) {
   const line = points.filter((p, i) => i === 0 || !p.equals(points[i - 1]));
@@ -88,12 +98,21 @@ function lineStep(vehicles) {
 
 const bandWidth = (vehicles) => 6 * fine() + lineStep(vehicles) * vehicles;
 
+/* Several bands side by side, casings included. */
+const bandsWidth = (beside) => beside.reduce((sum, count) => sum + bandWidth(count) + 2, 0);
+
+/* How far right of the road a band's middle lies, so that all bands on it show. */
+function bandAside(part) {
+  const own = bandsWidth(part.beside.slice(part.place, part.place + 1));
+  return bandsWidth(part.beside.slice(0, part.place)) + own / 2 - bandsWidth(part.beside) / 2;
+}
+
 /* Vehicles alone on one road lie side by side, the finer the more they are. */
 const soloStep = (slots) => Math.min(7, 26 / Math.max(slots - 1, 1)) * fine();
 
 function soloAside(part) {
   const step = soloStep(part.slots);
-  if (part.band) return bandWidth(part.band) / 2 + 5 + step * part.slot;
+  if (part.bands.length) return bandsWidth(part.bands) / 2 + 4 + step * part.slot;
   return (part.slot - (part.slots - 1) / 2) * step;
 }
 
@@ -148,7 +167,10 @@ const solos = plan.solos.map((solo) => ({
   ...solo,
   parts: solo.parts.map((part) => ({ ...part, points: decoded(part.line, ROUTE_STEPS) })),
 }));
-const platoons = plan.platoons.map((one) => ({ ...one, points: decoded(one.line, ROUTE_STEPS) }));
+const platoons = plan.platoons.map((one) => {
+  const parts = one.parts.map((part) => ({ ...part, points: decoded(part.line, ROUTE_STEPS) }));
+  return { ...one, parts, points: parts.flatMap((part) => part.points) };
+});
 
 const planBounds = L.latLngBounds([]);
 for (const solo of solos) for (const part of solo.parts) planBounds.extend(part.points);
@@ -195,8 +217,8 @@ function underLegend(legend) {
 
 function drawBackground() {
   const renderer = L.canvas({ pane: "network", padding: 0.3 });
-  const known = plan.basemap.known.map((text) => decoded(text, BASEMAP_STEPS));
-  const inferred = plan.basemap.inferred.map((text) => decoded(text, BASEMAP_STEPS));
+  const known = decodedLines(plan.basemap.known, BASEMAP_STEPS);
+  const inferred = decodedLines(plan.basemap.inferred, BASEMAP_STEPS);
   const style = { pane: "network", renderer, interactive: false, smoothFactor: 1.2 };
   L.polyline(known, { ...style, color: "#b3bcc8", weight: 3.8, opacity: 1 }).addTo(group("network"));
   L.polyline(known, { ...style, color: "#fff", weight: 1.8, opacity: 1 }).addTo(group("network"));
@@ -302,14 +324,15 @@ function drawPlatoons() {
     });
     redraws.push(() => {
       // A line beside another needs gentle corners, so it follows the road less closely.
-      const road = pixels(one.points, 1.6);
+      const roads = one.parts.map((part) => [pixels(part.points, 1.6), bandAside(part)]);
+      const beside = (aside) => back(roads.flatMap(([road, band]) => shifted(road, band + aside)));
       const width = bandWidth(count);
       const step = lineStep(count);
-      bands[i].band.setStyle({ weight: width }).setLatLngs(back(road));
-      bands[i].casing.setStyle({ weight: width + 2 }).setLatLngs(back(road));
+      bands[i].band.setStyle({ weight: width }).setLatLngs(beside(0));
+      bands[i].casing.setStyle({ weight: width + 2 }).setLatLngs(beside(0));
       lines.forEach((line, place) => {
         line.setStyle({ weight: Math.min(4, step * 0.68) });
-        line.setLatLngs(back(shifted(road, (place - (count - 1) / 2) * step)));
+        line.setLatLngs(beside((place - (count - 1) / 2) * step));
       });
     });
   });
@@ -402,20 +425,26 @@ function showMarks() {
   }
 }
 
-/* Marks on one spot are fanned out along a row, so that every letter can be read. */
+/* Places round a spot, near ones first; sideways before up and down. */
+const fan = [];
+for (let x = -3; x <= 3; x++) for (let y = -3; y <= 3; y++) fan.push([x, y]);
+fan.sort((a, b) => Math.hypot(a[0], 1.3 * a[1]) - Math.hypot(b[0], 1.3 * b[1]) || b[0] - a[0] || a[1] - b[1]);
+
+/* Marks on one spot are fanned out, so that every letter can be read; a crowd may still touch. */
 function spreadMarks() {
   const taken = [];
   for (const { made, size } of marks) {
     if (!map.hasLayer(made)) continue;
     const at = map.latLngToLayerPoint(made.getLatLng());
-    let move = 0;
-    const free = () => taken.every((p) => Math.abs(p.x - at.x - move) > size - 5 || Math.abs(p.y - at.y) > size - 5);
-    for (let turn = 1; !free() && turn < 24; turn++) {
-      move = (turn % 2 ? 1 : -1) * Math.ceil(turn / 2) * (size - 3);
-    }
-    taken.push(L.point(at.x + move, at.y));
+    const places = fan.map(([x, y]) => at.add([x * (size - 3), y * (size - 3)]));
+    const free = (one) =>
+      taken.every((p) => Math.abs(p.x - one.x) > size - 5 || Math.abs(p.y - one.y) > size - 5);
+    const place = places.find(free) ?? at;
+    taken.push(place);
     const icon = made.getElement();
-    if (icon) icon.style.marginLeft = `${-size / 2 + move}px`;
+    if (!icon) continue;
+    icon.style.marginLeft = `${place.x - at.x - size / 2}px`;
+    icon.style.marginTop = `${place.y - at.y - size / 2}px`;
   }
 }
 
@@ -511,9 +540,11 @@ function arrange() {
   }
   for (const one of platoons) {
     const half = bandWidth(one.vehicles.length) / 2;
-    const road = pixels(one.points, 1.6);
-    for (const aside of [-half, -half / 2, 0, half / 2, half]) {
-      cover.addLine(inLayer(back(shifted(road, aside))), 4);
+    for (const part of one.parts) {
+      const road = pixels(part.points, 1.6);
+      for (const share of [-1, -0.5, 0, 0.5, 1]) {
+        cover.addLine(inLayer(back(shifted(road, bandAside(part) + share * half))), 4);
+      }
     }
   }
   for (const { made, size } of marks) {
@@ -521,10 +552,11 @@ function arrange() {
     if (!icon) continue;
     const at = map.latLngToLayerPoint(made.getLatLng());
     const left = at.x + parseFloat(icon.style.marginLeft || -size / 2);
-    cover.addBox({ x: left, y: at.y - size / 2, w: size, h: size }, SOLID);
+    const top = at.y + parseFloat(icon.style.marginTop || -size / 2);
+    cover.addBox({ x: left, y: top, w: size, h: size }, SOLID);
   }
   const base = frame.getBoundingClientRect();
-  for (const part of document.querySelectorAll(".map .legend-box, .leaflet-control, .map .credit")) {
+  for (const part of document.querySelectorAll(".map .legend-box, .leaflet-control, .map .credit, .journey")) {
     const box = part.getBoundingClientRect();
     const at = map.containerPointToLayerPoint([box.left - base.left, box.top - base.top]);
     cover.addBox({ x: at.x - 4, y: at.y - 4, w: box.width + 8, h: box.height + 8 }, SOLID);
@@ -784,6 +816,7 @@ wireEvents();
 redraw();
 restack();
 spreadMarks();
+playJourney({ plan, map, solos, platoons, calm, drawn, isolated, hidden });
 arrange();
 
 let width = frame.clientWidth;

@@ -1,0 +1,121 @@
+"""Make the pictures of README and docs: the demo at three widths, a comparison, a page of flows.
+
+    python docs/screenshots.py out docs/images
+
+`out` holds demo.html, as `platoon-osm demo -o out` writes it; the other pages are made here.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from importlib.resources import as_file, files
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import platoon_osm
+from platoon_osm.planning.scenario import Scenario, read_scenario
+
+CHROMIUM = Path("/usr/bin/chromium")
+CORRIDOR_KM = 250
+"""Where the pictures stop the vehicles: all three in the platoon."""
+
+MASTERS = (
+    ("Torino", "Trieste"), ("Milano", "Napoli"), ("Bologna", "Bari"), ("Genova", "Udine"),
+    ("Verona", "Roma"), ("Bolzano", "Ancona"),
+)  # fmt: skip
+CITIES = (
+    "Torino", "Milano", "Genova", "Bologna", "Firenze", "Venezia", "Verona", "Padova", "Trieste",
+    "Brescia", "Parma", "Bolzano", "Roma", "Napoli", "Bari", "Ancona", "Udine", "Piacenza",
+    "Rimini", "Pescara", "Bergamo",
+)  # fmt: skip
+
+
+def write_pages(out: Path) -> None:
+    """Write compare.html and flow.html."""
+    with as_file(files("platoon_osm.scenarios") / "po-valley-c.toml") as path:
+        scenario = read_scenario(path)
+    net = platoon_osm.load_network("italy-motorways")
+    titles, plans = [], []
+    for title, xi, case in (
+        ("Case A: members merge and stay", 0.18, "A"),
+        ("Case C: merge and separate, xi = 0.18", 0.18, "C"),
+        ("Case C with xi = 0", 0.0, "C"),
+        ("Case C with xi = 1", 1.0, "C"),
+    ):
+        titles.append(title)
+        plans.append(_variant(scenario, xi, case).plan(net))
+    platoon_osm.write_comparison(
+        plans, net, out / "compare.html", titles=titles, title=scenario.title
+    )
+    fleet = _fleet(net)
+    platoon_osm.write_flows(
+        fleet, net, out / "flow.html", title=f"{len(fleet.vehicles)} trucks in Italy"
+    )
+
+
+def _variant(scenario: Scenario, xi: float, case: str) -> Scenario:
+    return replace(
+        scenario, costs={**scenario.costs, "xi": xi}, options={**scenario.options, "case": case}
+    )
+
+
+def _fleet(net: platoon_osm.RoadNetwork) -> platoon_osm.JointPlan:
+    """Return platoons of their own, one after another, as one plan."""
+    weights = platoon_osm.paper_weights(net)
+    ways = [(a, b) for a, b in pairwise(CITIES * 3) if a != b]
+    ways += list(zip(CITIES, CITIES[7:], strict=False))
+    plans: list[platoon_osm.JointPlan] = []
+    number = 0
+    for place, master in enumerate(MASTERS):
+        trips = []
+        for origin, end in (master, *ways[place :: len(MASTERS)][:9]):
+            number += 1
+            trips.append(
+                platoon_osm.Trip(
+                    f"Truck {number}", net.locate(origin, "origin"), net.locate(end, "destination")
+                )
+            )
+        plans.append(platoon_osm.plan_joint(net, weights, trips, case="C"))
+    vehicles = tuple(vehicle for plan in plans for vehicle in plan.vehicles)
+    return replace(plans[0], vehicles=vehicles, proof={}, remarks=())
+
+
+def take_pictures(out: Path, images: Path) -> None:
+    """Open the pages in headless Chromium with the network cut, and take their pictures."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=CHROMIUM if CHROMIUM.exists() else None, args=["--no-sandbox"]
+        )
+
+        def opened(name: str, width: int, height: int) -> Any:
+            context = browser.new_context(viewport={"width": width, "height": height}, offline=True)
+            page = context.new_page()
+            page.goto((out / name).resolve().as_uri())
+            page.wait_for_timeout(500)
+            return page
+
+        for name, width, height in (
+            ("demo.png", 1440, 900), ("demo-900.png", 900, 1100), ("demo-390.png", 390, 844),
+        ):  # fmt: skip
+            page = opened("demo.html", width, height)
+            slider = page.get_by_role("slider", name="Distance driven")
+            slider.fill(str(CORRIDOR_KM))
+            slider.blur()
+            page.wait_for_timeout(200)
+            page.screenshot(path=images / name)
+        opened("compare.html", 1440, 900).screenshot(path=images / "compare.png", full_page=True)
+        page = opened("flow.html", 1440, 900)
+        page.get_by_role("button", name="Saved").click()
+        page.mouse.move(0, 0)
+        page.screenshot(path=images / "flow.png")
+        browser.close()
+
+
+if __name__ == "__main__":
+    folder, pictures = (Path(argument) for argument in sys.argv[1:3])
+    write_pages(folder)
+    take_pictures(folder, pictures)

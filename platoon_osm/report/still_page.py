@@ -1,0 +1,24 @@
+"""Pages without a live map: static HTML with a style sheet, and a script only where it helps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .fragments import Markup, compact_asset, fill, fill_page, join
+from .security import policy
+
+__all__ = ["still_page"]
+
+
+def still_page(title: str, body: Markup, styles: Sequence[str], scripts: Sequence[str] = ()) -> str:
+    """Return a whole page from its body and the names of its style sheets and scripts."""
+    style = "".join(compact_asset(name) for name in styles)
+    code = join(compact_asset(name) for name in scripts)
+    return fill_page(
+        "still.html",
+        policy=policy([code] if code else [], [style]),
+        title=title,
+        style=style,
+        body=body,
+        script=fill("still-script", code=code) if code else "",
+    )

@@ -1,0 +1,132 @@
+"""Several plans side by side on one page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from po_valley import THREE, make_plan
+
+from platoon_osm.costs.weights import paper_weights
+from platoon_osm.errors import ScenarioError
+from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.planning.plans import JointPlan
+from platoon_osm.report import comparison_document, report_document, write_comparison
+
+Visit = Callable[..., Any]
+
+browser = pytest.mark.browser
+
+
+@pytest.fixture(scope="module")
+def plans(net: RoadNetwork) -> list[JointPlan]:
+    """Three vehicles, two of them, and all alone."""
+    apart = [(name, origin, end, None, None) for name, origin, end, *_ in THREE]
+    return [
+        make_plan(net, THREE),
+        make_plan(net, THREE[:2], case="A"),
+        make_plan(net, apart, case="B"),
+    ]
+
+
+@pytest.fixture(scope="module")
+def page_file(
+    plans: Sequence[JointPlan], net: RoadNetwork, tmp_path_factory: pytest.TempPathFactory
+) -> Path:
+    path = tmp_path_factory.mktemp("comparison") / "compare.html"
+    write_comparison(plans, net, path)
+    return path
+
+
+def test_each_plan_is_the_document_of_its_own_page(
+    plans: Sequence[JointPlan], net: RoadNetwork
+) -> None:
+    found = comparison_document(plans, net)
+    assert [plan["title"] for plan in found["plans"]] == ["Case C", "Case A", "Case B"]
+    for plan, shown in zip(plans, found["plans"], strict=True):
+        assert shown["totals"] == report_document(plan, net)["totals"]
+
+
+def test_a_vehicle_looks_the_same_in_all_plans(net: RoadNetwork) -> None:
+    """Long names get letters; those must go with the vehicle, not with its place in a plan."""
+    long = [(f"Truck {name}", *rest) for name, *rest in THREE]
+    alone = [(name, origin, end, None, None) for name, origin, end, *_ in reversed(long)]
+    found = comparison_document([make_plan(net, long), make_plan(net, alone)], net)
+    looks = [
+        {(v["name"], v["letter"], v["colour"], v["dash"]) for v in plan["vehicles"]}
+        for plan in found["plans"]
+    ]
+    assert looks[0] == looks[1]
+
+
+def test_other_parameters_are_told(plan: JointPlan, net: RoadNetwork) -> None:
+    other = replace(plan, params=dict(paper_weights(net, tau=0.5).params))
+    remarks = comparison_document([plan, other], net)["remarks"]
+    assert any("other cost parameters" in remark for remark in remarks)
+    assert comparison_document([plan, plan], net)["remarks"] == []
+    euro = replace(plan, unit="EUR", params={})
+    assert "other units" in comparison_document([plan, euro], net)["remarks"][0]
+
+
+def test_what_cannot_be_compared_is_refused(plan: JointPlan, net: RoadNetwork) -> None:
+    shorter = RoadNetwork.from_edges([0], [1], lon=[9.0, 9.1], lat=[45.0, 45.0])
+    with pytest.raises(ScenarioError, match="no plans"):
+        comparison_document([], net)
+    with pytest.raises(ScenarioError, match="1 titles for 2 plans"):
+        comparison_document([plan, plan], net, titles=["one"])
+    with pytest.raises(ScenarioError, match="load the network it was made on"):
+        comparison_document([plan], shorter)
+
+
+def test_same_plans_same_bytes_and_no_script(
+    plans: Sequence[JointPlan], net: RoadNetwork, page_file: Path, tmp_path: Path
+) -> None:
+    write_comparison(plans, net, tmp_path / "again.html")
+    text = page_file.read_text()
+    assert (tmp_path / "again.html").read_text() == text
+    assert "script-src 'none'" in text
+    assert "<script" not in text
+    assert len(text) < 150_000
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 900, 390])
+@pytest.mark.parametrize("script", [True, False])
+def test_page(page_file: Path, visit: Visit, width: int, script: bool) -> None:
+    opened = visit(page_file, width, 900, java_script_enabled=script, wait_for=None)
+    page = opened.page
+    assert page.locator(".small-map").count() == 3
+    assert page.locator(".card .figure").count() == 9
+    texts = page.locator(".split tbody tr").all_inner_texts()
+    assert [text.split()[1] for text in texts] == ["C", "A", "B"]
+    if script:
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.locator(".small-map").first.bounding_box()["width"] > 0.25 * width
+    assert page.get_by_text("not in it").count() == 1
+    opened.check(page_file)
+
+
+@browser
+def test_the_network_shows_in_every_map(page_file: Path, visit: Visit) -> None:
+    page = visit(page_file, wait_for=None).page
+    widths = page.evaluate(
+        "[...document.querySelectorAll('use[href=\"#small-network\"]')]"
+        ".map(e => e.getBoundingClientRect().width)"
+    )
+    assert len(widths) == 6
+    assert min(widths) > 100
+
+
+@browser
+def test_bars_add_up(page_file: Path, plans: Sequence[JointPlan], visit: Visit) -> None:
+    """A bar's length, in pixels, is to another's as the savings are."""
+    page = visit(page_file, wait_for=None).page
+    lengths = page.evaluate(
+        """[...document.querySelectorAll('.bars > g')].map(row =>
+          [...row.querySelectorAll('rect')].reduce((s, e) => s + +e.getAttribute('width'), 0))"""
+    )
+    assert lengths[2] == 0
+    assert lengths[0] / lengths[1] == pytest.approx(plans[0].saving / plans[1].saving, rel=0.01)
