@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import logging
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib import resources
 from pathlib import Path
@@ -16,12 +16,18 @@ from .errors import PlatoonError, ScenarioError
 from .study.options import add_study_options
 
 if TYPE_CHECKING:
+    from .network.road_network import RoadNetwork
+    from .planning.plans import JointPlan
     from .planning.scenario import Scenario
 
 __all__ = ["main"]
 
 DEMO_SCENARIOS = ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c")
 """Case C comes last: its map is the one the demo writes."""
+
+PLAN_OUTPUTS = ("html", "gpkg", "json", "csv", "flows", "gpx", "figures")
+PLAN_FOLDERS = frozenset({"gpx", "figures"})
+"""Those that are several files in a folder of their own."""
 
 EPILOG = """examples:
   platoon-osm demo -o out                     plan a corridor in Italy and draw it
@@ -106,6 +112,10 @@ def _parser() -> argparse.ArgumentParser:
     plan.add_argument("--html", type=Path, help="self-contained map to write")
     plan.add_argument("--gpkg", type=Path, help="GeoPackage to write")
     plan.add_argument("--json", type=Path, help="plan as JSON to write")
+    plan.add_argument("--csv", type=Path, help="legs as CSV to write")
+    plan.add_argument("--flows", type=Path, help="page for many vehicles to write")
+    plan.add_argument("--gpx", type=Path, help="folder for a GPX track of each vehicle")
+    plan.add_argument("--figures", type=Path, help="folder for figures fit for a paper")
     plan.add_argument("--case", help="A, B, C, D or best, instead of the scenario's")
     plan.set_defaults(run=_plan)
 
@@ -262,29 +272,39 @@ def _plan(options: argparse.Namespace) -> None:
     scenario = read_scenario(options.scenario)
     if options.case:
         scenario = replace(scenario, options={**scenario.options, "case": options.case})
-    outputs = [path for path in (options.html, options.gpkg, options.json) if path]
-    _check_outputs(outputs)
+    outputs = {name: path for name in PLAN_OUTPUTS if (path := getattr(options, name))}
+    _check_outputs(path for name, path in outputs.items() if name not in PLAN_FOLDERS)
     with _steps(2 + len(outputs)) as begin:
         begin(f"loading {scenario.network['source']}")
         net = load_network(**scenario.network)
         begin("planning")
         plan = scenario.plan(net)
-        if options.html:
-            from .report.page import write_html
-
-            begin(f"writing {options.html}")
-            write_html(plan, net, options.html, title=scenario.title)
-        if options.gpkg:
-            from .report.gis import write_geopackage
-
-            begin(f"writing {options.gpkg}")
-            write_geopackage(plan, net, options.gpkg)
-        if options.json:
-            begin(f"writing {options.json}")
-            plan.write_json(options.json)
+        for name, path in outputs.items():
+            begin(f"writing {path}")
+            _write(name, plan, net, path, scenario.title)
     _say(plan.summary())
-    for path in outputs:
+    for path in outputs.values():
         _say(f"Written: {path}")
+
+
+def _write(name: str, plan: JointPlan, net: RoadNetwork, path: Path, title: str) -> None:
+    """Write one kind of output of a plan."""
+    from . import report
+
+    if name == "json":
+        plan.write_json(path)
+    elif name in ("html", "flows"):
+        (report.write_html if name == "html" else report.write_flows)(plan, net, path, title=title)
+    else:
+        writers: dict[str, Callable[..., Any]] = {
+            "gpkg": report.write_geopackage,
+            "csv": report.write_csv,
+            "gpx": report.write_gpx,
+            "figures": report.write_figures,
+        }
+        if name in PLAN_FOLDERS:
+            path.mkdir(parents=True, exist_ok=True)
+        writers[name](plan, net, path)
 
 
 def _check_outputs(paths: Iterable[Path]) -> None:

@@ -164,6 +164,23 @@ def test_plan_prints_a_table_and_writes_what_is_asked_for(capsys):
     ]  # fmt: skip
 
 
+def test_plan_writes_tables_tracks_figures_and_flows(capsys):
+    asked = ("--csv", "a.csv", "--flows", "f.html", "--gpx", "tracks", "--figures", "made/figures")
+    assert run("plan", scenario(), *asked) == 0
+    assert Path("a.csv").read_text(encoding="utf-8").count("\n") > 3
+    assert "Content-Security-Policy" in Path("f.html").read_text(encoding="utf-8")
+    assert len(list(Path("tracks").glob("*.gpx"))) == 2
+    assert list(Path("made/figures").glob("*.svg"))
+    assert "Written: tracks" in capsys.readouterr().out
+
+
+def test_folders_are_made_only_for_a_plan(capsys):
+    Path("bad.toml").write_text('network = "nowhere"\n[[trips]]\n', encoding="utf-8")
+    assert run("plan", "bad.toml", "--gpx", "tracks", "--figures", "figures") == 2
+    assert not Path("tracks").exists()
+    assert not Path("figures").exists()
+
+
 def test_the_case_on_the_command_line_comes_first(capsys):
     assert run("plan", scenario(), "--case", "best", "--json", "a.json") == 0
     assert json.loads(Path("a.json").read_text())["asked"] == "best"
