@@ -19,6 +19,8 @@ lint: $(DEV_STAMP)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/djlint --quiet --lint platoon_osm/report/assets
+	$(BIN)/oxlint --deny-warnings platoon_osm/report/assets
 
 bench: $(DEV_STAMP)
 	$(BIN)/python -m benchmarks

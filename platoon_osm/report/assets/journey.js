@@ -1,4 +1,5 @@
 /* The slider that moves the vehicles along their ways, by distance: a plan has no times. */
+// oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function playJourney({ plan, map, solos, platoons, calm, drawn, isolated, hidden }) {
 
 const box = document.querySelector(".journey");
