@@ -1,7 +1,8 @@
 """Run all benchmarks: `python -m benchmarks`."""
 
-from . import california, engines, study
+from . import california, engines, reach, study
 
 california.main()
+reach.main()
 study.main()
 engines.main()
