@@ -1,6 +1,7 @@
 """The command line as a user meets it: what it prints, writes, refuses, and with which status."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -464,3 +465,16 @@ def test_the_demo(capsys):
     assert sorted(path.name for path in Path("shown").iterdir()) == ["demo.gpkg", "demo.html"]
     for case in "ABCD":
         assert re.search(rf"[Cc]ase {case}\b", out), case
+
+
+def test_a_reader_that_has_seen_enough_is_no_error():
+    seen, written = os.pipe()
+    os.close(seen)
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "platoon_osm.cli", "maps", "italy-motorways"],
+            stdout=written, stderr=subprocess.PIPE, timeout=60, check=False,
+        )  # fmt: skip
+    finally:
+        os.close(written)
+    assert (done.returncode, done.stderr) == (0, b"")
