@@ -29,10 +29,6 @@ def main() -> None:
     rows = []
     for reach_m in REACHES_M:
         net = infer_links(bare, reach_m)
-        main_part = net.strong_component() == 0
-        mapped = ~net.inferred
-        inside = mapped & main_part[net.tail] & main_part[net.head]
-        share = net.length_m[inside].sum() / net.length_m[mapped].sum()
         lengths = []
         for start, end in ((SAN_DIEGO, SACRAMENTO), (LOS_ANGELES, SAN_FRANCISCO)):
             for origin, destination in ((start, end), (end, start)):
@@ -40,7 +36,7 @@ def main() -> None:
                 ends = [node for node, _ in net.locate(destination, "destination").candidates]
                 lengths.append(np.min(po.many_to_many(net, net.length_m, starts, ends)) / 1000)
         rows.append([
-            f"{reach_m:.0f} m", f"{share:.0%}", f"{net.inferred.sum():,}",
+            f"{reach_m:.0f} m", f"{net.connected_share():.0%}", f"{net.inferred.sum():,}",
             f"{lengths[0]:.0f} and {lengths[1]:.0f} km",
             f"{lengths[2]:.0f} and {lengths[3]:.0f} km",
         ])  # fmt: skip

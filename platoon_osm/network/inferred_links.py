@@ -97,7 +97,7 @@ def infer_links(net: RoadNetwork, reach_m: float = 200.0) -> RoadNetwork:
     useful = (tails != heads) & is_reached[tails] & goes_on[heads]
     pairs = np.unique(np.column_stack([tails, heads])[useful], axis=0)
     joined = _with_links(cut, pairs)
-    before, after = _largest_share(net), _largest_share(joined)
+    before, after = net.connected_share(), joined.connected_share()
     return joined.with_report(
         net.load_report.extended(
             {
@@ -123,14 +123,6 @@ def _ramps_remark(net: RoadNetwork) -> tuple[str, ...]:
         f"this map has {ramps} ramps of its own; inferred connectors may bypass them, so load it "
         "without infer_links if it connects",
     )
-
-
-def _largest_share(net: RoadNetwork) -> float:
-    """Share of the mapped road that lies in the largest strongly connected part."""
-    main = net.strong_component() == 0
-    mapped = ~net.inferred
-    inside = mapped & main[net.tail] & main[net.head]
-    return float(net.length_m[inside].sum() / net.length_m[mapped].sum())
 
 
 def _segments(net: RoadNetwork) -> _Segments:

@@ -406,6 +406,13 @@ class RoadNetwork:
         kept: NDArray[np.int32] = self._kept["strong"]
         return kept
 
+    def connected_share(self) -> float:
+        """Return the share [0, 1] of mapped road, by length, in strong component 0."""
+        main = self.strong_component() == 0
+        mapped = ~self.inferred
+        inside = mapped & main[self.tail] & main[self.head]
+        return float(self.length_m[inside].sum() / max(self.length_m[mapped].sum(), 1e-9))
+
     def identity(self) -> str:
         """Return a short hash of the graph itself: nodes, edges, lengths and speeds."""
         if "identity" not in self._kept:

@@ -116,8 +116,7 @@ def _read_file(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadN
 
 def _with_connection_remark(net: RoadNetwork) -> RoadNetwork:
     """Say how much of the network hangs together, if that is less than a user would expect."""
-    main = net.strong_component() == 0
-    inside = net.length_m[main[net.tail] & main[net.head]].sum() / max(net.length_m.sum(), 1e-9)
+    inside = net.connected_share()
     if inside >= MOSTLY_CONNECTED or net.inferred.any():
         return net
     ends = int((net.first_out[1:] == net.first_out[:-1]).sum())

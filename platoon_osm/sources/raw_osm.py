@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from ..errors import MapDataError
 from ..network.load_report import Source
+from .file_identity import osm_source
 
 __all__ = ["RawMap", "TagReader", "read_raw"]
 
@@ -80,13 +81,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         opl = Path(folder) / "roads.opl"
         extracted, coordinates = _filter_to_opl(path, tags, opl)
         ways, nodes = _split_lines(opl)
-    source = Source(
-        name=path.name,
-        sha256=_sha256(path),
-        extracted=extracted,
-        licence="ODbL 1.0",
-        attribution="© OpenStreetMap contributors",
-    )
+    source = osm_source(path.name, _sha256(path), extracted)
     lists = [line[2] for line in ways]
     count = np.fromiter((part.count("n") for part in lists), np.int64, len(lists))
     first = np.zeros(len(ways) + 1, np.int64)
