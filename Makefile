@@ -1,13 +1,15 @@
 # Targets: demo (plan and draw the bundled corridor), test (lint, types, tests), bench (speed ratios),
-# screenshots (pictures of the demo page), lock (renew the pinned dependencies), clean.
+# soak (property tests on ROUNDS x new random inputs), screenshots (pictures of the demo page),
+# lock (renew the pinned dependencies), clean.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+ROUNDS ?= 10
 STAMP := $(VENV)/.installed
 DEV_STAMP := $(VENV)/.installed-dev
 
-.PHONY: demo test lint bench screenshots lock clean
+.PHONY: demo test lint bench soak screenshots lock clean
 
 demo: $(STAMP)
 	$(BIN)/platoon-osm demo -o out
@@ -24,6 +26,11 @@ lint: $(DEV_STAMP)
 
 bench: $(DEV_STAMP)
 	$(BIN)/python -m benchmarks
+
+soak: $(DEV_STAMP)
+	for round in $$(seq $(ROUNDS)); do \
+	  HYPOTHESIS_PROFILE=soak $(BIN)/python -m pytest -m hypothesis || exit 1; \
+	done
 
 screenshots: $(DEV_STAMP)
 	$(BIN)/platoon-osm demo -o out

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import NetworkError
 from .graph_arrays import EdgeRow, check_degrees, graph_arrays
-from .graph_values import flag, joined, number, parts
+from .graph_values import flag, joined, number, parts, whole_number
 from .load_report import LoadReport, Source
 from .road_network import ROAD_CLASSES, RoadNetwork
 
@@ -232,10 +232,7 @@ def _class_code(highway: Any) -> int:
 
 def way_id_of(osmid: Any) -> int:
     """Return the lowest way id of an edge: simplified ones are made of several; 0 if none."""
-    try:
-        return min((int(value) for value in parts(osmid)), default=0)
-    except (TypeError, ValueError):
-        return 0
+    return whole_number(osmid) or 0
 
 
 def to_geodataframes(

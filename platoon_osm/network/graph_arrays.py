@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import NetworkError
 from .geodesy import distance_m
-from .graph_values import number
+from .graph_values import number, whole_number
 from .road_network import ragged_order, shape_lengths_m
 
 __all__ = ["Attributes", "EdgeRow", "GraphArrays", "check_degrees", "graph_arrays"]
@@ -110,8 +110,8 @@ def _nodes(
         keys.append(key)
         lon.append(x)
         lat.append(y)
-        own_id = number(attributes.get("node_id"))
-        ids.append(key if own_id is None else int(own_id))
+        own_id = whole_number(attributes.get("node_id"))
+        ids.append(key if own_id is None else own_id)
     return keys, np.array(lon, np.float64), np.array(lat, np.float64), _node_ids(ids)
 
 

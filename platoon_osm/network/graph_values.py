@@ -7,7 +7,7 @@ import math
 from numbers import Real
 from typing import Any
 
-__all__ = ["flag", "joined", "number", "parts"]
+__all__ = ["flag", "joined", "number", "parts", "whole_number"]
 
 
 def parts(value: Any) -> list[Any]:
@@ -49,6 +49,23 @@ def number(value: Any) -> float | None:
         except (TypeError, ValueError):
             return None
     return min((item for item in found if not math.isnan(item)), default=None)
+
+
+def whole_number(value: Any) -> int | None:
+    """Return a whole number, also from text, the lowest of a list; None if there is none.
+
+    Not through `number`: ids above 2**53 would be rounded to another node's.
+    """
+    found = []
+    for part in parts(value):
+        try:
+            found.append(int(part))
+        except (TypeError, ValueError, OverflowError):
+            try:
+                found.append(int(float(part)))  # "12.0", as spreadsheets and files write it
+            except (TypeError, ValueError, OverflowError):
+                return None
+    return min(found, default=None)
 
 
 def flag(value: Any) -> bool:

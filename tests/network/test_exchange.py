@@ -86,6 +86,18 @@ def test_repeated_node_ids_become_positions_and_come_back():
     assert_same(net, from_networkx(graph))
 
 
+def test_large_ids_are_not_rounded(tmp_path):
+    large = 2**53 + 1  # the first whole number that a float cannot hold
+    net = RoadNetwork.from_edges(
+        [0], [1], lon=[0, 1, 2], lat=[0, 0, 0], node_id=[0, 0, large], way_id=[large]
+    )
+    assert_same(net, from_networkx(to_networkx(net)))
+    graph = to_networkx(net)
+    for _, attributes in graph.nodes(data=True):
+        attributes["node_id"] = str(attributes["node_id"])
+    assert from_networkx(graph).node_id.tolist() == [0, 0, large]
+
+
 def test_network_methods_lead_here():
     net = a_network()
     assert_same(net, RoadNetwork.from_networkx(net.to_networkx()))
