@@ -1,9 +1,10 @@
 """The fast engine: a customizable contraction hierarchy with batched sweeps.
 
-What depends on the network alone (`order`, `symbolic`) is built once and stored beside it
-(`storage`); what depends on a weight (`customization`) takes milliseconds; then `queries`,
-`members` and `paths` answer. Importing any of these loads numba; nothing here is imported
-before the engine is chosen.
+What depends on the network alone (`order`, `symbolic`, `ranks`) is built once and stored beside it
+(`storage`); what depends on a weight (`customization`) takes milliseconds; then `sweeps` answer for
+one source, `batches` for many, `selection` for some targets, `members` for a platoon's route, and
+`paths` say which roads. Importing any of these loads numba; nothing here is imported before the
+engine is chosen.
 
 References
 ----------

@@ -10,11 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from ..best_pairs import Found, Positions
 from ..road_network import RoadNetwork
 from ..search import checked_labels, checked_nodes, checked_weight, no_route
+from .batches import from_many
 from .customization import Metric, customize
 from .members import best_on_route
 from .paths import ascended, path_between, path_from_labels
-from .queries import from_labels, from_many, from_one, selected_table
+from .selection import selected_table
 from .storage import topology_of
+from .sweeps import from_labels, from_one
 from .threads import cores
 
 __all__ = ["HierarchyEngine", "HierarchySeeded", "HierarchyTree"]

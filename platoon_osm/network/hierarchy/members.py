@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from ..best_pairs import TIE, Found, Positions
 from .customization import Metric
 from .jit import compiled
-from .queries import _climb, _into_lane, _sweep_lanes, select
+from .rows import sweep_rows
+from .selection import climb, into_lane, select
 from .threads import run_all
 
 __all__ = ["best_on_route"]
@@ -93,24 +94,23 @@ def _blocks(
     lead, total = np.empty((stops, width)), np.empty((stops, width))
     least = np.empty(width)
     reached, leads = np.empty(rows, np.bool_), np.empty(rows, np.bool_)
-    same = np.arange(rows).astype(np.int32)
     for begin in range(worker * width, len(order), workers * width):
         members = order[begin : begin + width]
         reached[:], leads[:] = False, False
         for lane in range(len(members)):
             m = members[lane]
-            _climb(starts[m], first, head, parent, up, there)
-            _climb(ends[m], first, head, parent, down, back)
+            climb(starts[m], first, head, parent, up, there)
+            climb(ends[m], first, head, parent, down, back)
             alone = np.inf
             v = ends[m]
             while v >= 0:
                 alone = min(alone, there[v] + back[v])
                 v = parent[v]
             solo[m] = alone
-            _into_lane(starts[m], lane, parent, local, same, there, reached, arrive, 0, width)
-            _into_lane(ends[m], lane, parent, local, same, back, leads, leave, 0, width)
-        _sweep_lanes(0, rows, own_first, own_head, own_down, same, reached, arrive, 0, width)
-        _sweep_lanes(0, rows, own_first, own_head, own_up, same, leads, leave, 0, width)
+            into_lane(starts[m], lane, parent, local, there, reached, arrive)
+            into_lane(ends[m], lane, parent, local, back, leads, leave)
+        sweep_rows(0, rows, own_first, own_head, own_down, reached, arrive)
+        sweep_rows(0, rows, own_first, own_head, own_up, leads, leave)
         _copy_allowed(members, row, arrive, entry_first, entry_at, entry)
         _copy_allowed(members, row, leave, exit_first, exit_at, exit_)
         least[:] = np.inf

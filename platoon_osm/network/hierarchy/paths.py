@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..road_network import RoadNetwork
 from .customization import Metric
 from .jit import compiled
+from .sweeps import ancestors
 
 __all__ = ["ascended", "path_between", "path_from_labels"]
 
@@ -70,20 +71,6 @@ def _without_circles(net: RoadNetwork, edges: Longs) -> Longs:
 
 
 @compiled
-def _chain(start: int, parent: Ints) -> Ints:
-    length, v = 0, start
-    while v >= 0:
-        length += 1
-        v = parent[v]
-    chain = np.empty(length, np.int32)
-    v = start
-    for k in range(length):
-        chain[k] = v
-        v = parent[v]
-    return chain
-
-
-@compiled
 def _climb_by(chain: Ints, first: Ints, head: Ints, climb: Floats) -> tuple[Floats, Ints, Ints]:
     """Return for each ancestor its cost, the arc that gives it, and the arc's lower end."""
     dist = np.full(len(chain), np.inf)
@@ -104,7 +91,7 @@ def _meet(
     source: int, target: int, first: Ints, head: Ints, parent: Ints, up: Floats, down: Floats
 ) -> tuple[int, Ints]:
     """Return the arcs from source to target, and how many of them climb; -1 if there are none."""
-    there, back = _chain(source, parent), _chain(target, parent)
+    there, back = ancestors(source, parent), ancestors(target, parent)
     dist, by, below = _climb_by(there, first, head, up)
     rest, by_rest, below_rest = _climb_by(back, first, head, down)
     # Ancestors both have in common are the last of either chain.
@@ -150,7 +137,7 @@ def _ascend_by(first: Ints, head: Ints, climb: Floats, dist: Floats) -> tuple[Fl
 def _from_above(
     target: int, first: Ints, head: Ints, parent: Ints, down: Floats, dist: Floats, by: Ints
 ) -> tuple[int, Ints]:
-    back = _chain(target, parent)
+    back = ancestors(target, parent)
     rest, by_rest, below_rest = _climb_by(back, first, head, down)
     best, at = np.inf, 0
     for k in range(len(back)):

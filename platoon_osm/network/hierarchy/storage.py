@@ -18,12 +18,13 @@ import numpy as np
 from ...errors import MapDataError
 from ...whole_file import whole_file
 from ..road_network import RoadNetwork
+from .ranks import block_rows, runs
 from .symbolic import Topology, build_topology
 from .threads import cores
 
 __all__ = ["hierarchy_path", "topology_hash", "topology_of"]
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 KEPT = "hierarchy"
 log = logging.getLogger(__name__)
 
@@ -96,6 +97,8 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
     n, a = net.n, len(t.head)
     expected = {
         "node": (n, "i4"), "rank": (n, "i4"), "first": (n + 1, "i4"), "head": (a, "i4"),
+        "upper": (a, "i4"), "run": (len(t.run), "i4"), "block": (len(t.block), "i4"),
+        "local": (a, "i4"),
         "parent": (n, "i4"), "triangle": (len(t.triangle), "i4"), "triangle_first": (n + 1, "i8"),
         "forth": (a, "i4"), "back": (a, "i4"),
         "spare": (len(t.spare), "i4"), "spare_place": (len(t.spare), "i4"),
@@ -119,6 +122,12 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
         and len(tail) == a
         and (t.head > tail).all()
         and _within(t.head, 0, n)
+        and np.array_equal(t.upper, t.node[t.head])
+        and np.array_equal(t.run, runs(t.first))
+        and len(t.block) >= 1
+        and _climbs(t.block, n)
+        and (np.diff(t.block) > 0).all()
+        and _fits_blocks(t)
         and ((t.parent == -1) | (t.parent > ranks)).all()
         and _within(t.parent, -1, n)
         and _within(t.triangle, 0, a)
@@ -131,6 +140,13 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
         and (np.diff(t.subtree) >= 0).all()
         and _within(t.subtree, 0, n + 1)
     )
+
+
+def _fits_blocks(t: Topology) -> bool:
+    try:
+        return np.array_equal(t.local, block_rows(t.first, t.head, t.block))
+    except ValueError:
+        return False
 
 
 def _climbs(first: np.ndarray, total: int) -> bool:

@@ -1,9 +1,7 @@
 """Symbolic contraction: which arcs a hierarchy needs under any weight.
 
 Contracting a node joins all its later neighbours. The arcs that arise depend on the order alone,
-so this is done once a network. Ranks are then given anew, so that every subtree of the elimination
-tree has consecutive ranks: a sweep reads memory in one direction, and subtrees can be swept by
-different threads. The ranks of the top, the nodes above all those subtrees, come last.
+so this is done once a network. Ranks are then given anew as sweeps like them (`ranks`).
 
 References
 ----------
@@ -20,15 +18,13 @@ from numpy.typing import NDArray
 
 from .jit import compiled
 from .order import contraction_order, neighbours
+from .ranks import block_rows, runs, sweep_ranks
 
 __all__ = ["Topology", "build_topology"]
 
 Ints = NDArray[np.int32]
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
-
-SHARE = 4
-"""A subtree swept by one thread holds at most one part in this many of all arcs."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,6 +37,11 @@ class Topology:
     rank : (n,) the rank of each of the network's nodes.
     first : (n + 1,) where the arcs of each rank begin.
     head : (a,) rank of the upper end; ascending within each node's arcs.
+    upper : (a,) the network's node at the upper end.
+    run : (r + 1,) ranks where the class of nodes changes, by number of arcs, and n.
+    block : (b + 1,) ranks where the blocks begin, and n.
+    local : (a,) row of the upper end in the buffer of the block: nodes of the block by rank, then
+        those above it that its root has arcs to.
     parent : (n,) rank of the lowest upper neighbour; -1 for roots.
     triangle : (t,) for each node, for each pair i < j of its arcs, the arc between their heads.
     triangle_first : (n + 1,) where the triangles of each rank begin.
@@ -56,6 +57,10 @@ class Topology:
     rank: Ints
     first: Ints
     head: Ints
+    upper: Ints
+    run: Ints
+    block: Ints
+    local: Ints
     parent: Ints
     triangle: Ints
     triangle_first: Longs
@@ -97,19 +102,19 @@ def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: in
     rank = np.empty(n, np.int32)
     rank[order] = np.arange(n, dtype=np.int32)
     first, up, parent = _contract(near_first, near, order, rank)
-    renumbered, subtree = _subtrees_together(first, parent, SHARE)
-    node = np.empty(n, np.int32)
-    node[renumbered] = order
+    found = sweep_ranks(first, up, parent)
+    node = order[found.old]
     rank[node] = np.arange(n, dtype=np.int32)
-    first, up, parent = _renumber(first, up, parent, renumbered)
+    first, up, parent = found.first, found.head, found.parent
     triangle, triangle_first = _triangles(first, up)
     place = _places(rank[tail], rank[head], first, up)
     forth, back, spare = _edges_of_arcs(place, len(up))
     spare = spare[np.argsort(place[spare], kind="stable")]
     below_first, below = _below(first, up)
     return Topology(
-        node, rank, first, up, parent, triangle, triangle_first, forth, back, spare, place[spare],
-        below_first, below, subtree,
+        node, rank, first, up, node[up], runs(first), found.block,
+        block_rows(first, up, found.block), parent, triangle, triangle_first, forth, back, spare,
+        place[spare], below_first, below, found.subtree,
     )  # fmt: skip
 
 
@@ -154,91 +159,6 @@ def _contract(near_first: Ints, near: Ints, order: Ints, rank: Ints) -> tuple[In
             sibling[v] = child[least]
             child[least] = v
     return first, up[:count].copy(), parent
-
-
-@compiled
-def _subtrees_together(first: Ints, parent: Ints, share: int) -> tuple[Ints, Ints]:
-    """Return new ranks: subtrees of at most 1/share of the arcs one by one, then the top."""
-    n = len(parent)
-    size, arcs = np.ones(n, np.int32), np.empty(n, np.int64)
-    for v in range(n):
-        arcs[v] = first[v + 1] - first[v] + 1
-    for v in range(n):
-        if parent[v] >= 0:
-            size[parent[v]] += size[v]
-            arcs[parent[v]] += arcs[v]
-    most = (first[n] + n) // share + 1
-    top = 0
-    for v in range(n):
-        if arcs[v] > most:
-            top += 1
-    renumbered = np.empty(n, np.int32)
-    free = np.empty(n, np.int32)
-    starts, arcs_between = [0], [arcs[:0].sum()]
-    at, last = n - top, n
-    # Parents before children; each node's subtree takes the ranks just below its own.
-    for v in range(n - 1, -1, -1):
-        if arcs[v] > most:
-            last -= 1
-            renumbered[v] = last
-        elif parent[v] < 0 or arcs[parent[v]] > most:
-            renumbered[v] = at - 1
-            free[v] = at - 1
-            at -= size[v]
-            starts.append(at)
-            arcs_between.append(arcs[v])
-        else:
-            p = parent[v]
-            renumbered[v] = free[p] - 1
-            free[v] = free[p] - 1
-            free[p] -= size[v]
-    # Small neighbouring subtrees are joined, for a disconnected network has very many.
-    subtree = [n - top]
-    load = 0
-    low = n - top
-    for k in range(1, len(starts)):
-        load += arcs_between[k]
-        low = starts[k]
-        if load + (arcs_between[k + 1] if k + 1 < len(starts) else most) > most:
-            subtree.append(low)
-            load = 0
-    if subtree[-1] != 0:
-        subtree.append(0)
-    return renumbered, np.array(subtree[::-1], np.int32)
-
-
-@compiled
-def _renumber(first: Ints, up: Ints, parent: Ints, renumbered: Ints) -> tuple[Ints, Ints, Ints]:
-    n = len(parent)
-    # Filing arcs under their upper ends in order of the lower, and back again, sorts them.
-    new_first, below = np.zeros(n + 1, np.int32), np.zeros(n + 1, np.int32)
-    old = np.empty(n, np.int32)
-    new_parent = np.full(n, -1, np.int32)
-    for v in range(n):
-        old[renumbered[v]] = v
-        if parent[v] >= 0:
-            new_parent[renumbered[v]] = renumbered[parent[v]]
-    for v in range(n):
-        for a in range(first[old[v]], first[old[v] + 1]):
-            below[renumbered[up[a]] + 1] += 1
-        new_first[v + 1] = new_first[v] + first[old[v] + 1] - first[old[v]]
-    for v in range(n):
-        below[v + 1] += below[v]
-    lower = np.empty(len(up), np.int32)
-    at = below[:-1].copy()
-    for v in range(n):
-        for a in range(first[old[v]], first[old[v] + 1]):
-            u = renumbered[up[a]]
-            lower[at[u]] = v
-            at[u] += 1
-    new_up = np.empty(len(up), np.int32)
-    at = new_first[:-1].copy()
-    for u in range(n):
-        for k in range(below[u], below[u + 1]):
-            v = lower[k]
-            new_up[at[v]] = u
-            at[v] += 1
-    return new_first, new_up, new_parent
 
 
 @compiled

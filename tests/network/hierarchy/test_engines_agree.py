@@ -156,6 +156,15 @@ def test_planar_networks_of_two_thousand_nodes(seed):
             assert cost == pytest.approx(row[node], rel=1e-12)
 
 
+@pytest.mark.parametrize("count", [1, 4, 5, 8, 63, 64, 65, 130])
+def test_tables_of_any_width(count):
+    net, weight = planar(1500, 8)
+    slow, quick = both(net, weight)
+    some = np.random.default_rng(count).integers(0, net.n, count)
+    for forward in (True, False):
+        same(slow.distances(some, forward), quick.distances(some, forward))
+
+
 @pytest.mark.parametrize("real", [True, False])
 def test_members_on_planar_networks(real):
     net, weight = planar(2000, 7, real)
@@ -228,7 +237,7 @@ def test_auto_takes_the_reference_for_little_and_the_hierarchy_for_much(monkeypa
 
 
 def test_one_core_and_many_agree_to_the_last_bit(monkeypatch):
-    for module in ("customization", "queries", "members"):
+    for module in ("customization", "sweeps", "batches", "selection", "members"):
         monkeypatch.setattr(f"{fast.__package__}.{module}.WORTH_A_THREAD", 0)
     net, weight = planar(3000, 5)
     one, many = (HierarchyEngine(net, weight, threads=threads) for threads in (1, 3))

@@ -74,7 +74,10 @@ def test_arrays_that_point_outside_are_refused(saved):
     path, weight = saved
     net = open_network(path)
     good = answers(net, weight)
-    for name in ("head", "triangle", "forth", "back", "below", "parent", "rank", "node", "subtree"):
+    for name in (
+        "head", "triangle", "forth", "back", "below", "parent", "rank", "node", "subtree", "upper",
+        "run", "block", "local",
+    ):  # fmt: skip
         arrays = {item.name: getattr(good, item.name).copy() for item in fields(good)}
         arrays[name][-1] = 10**8
         assert not storage._is_sound(storage.Topology(**arrays), net), name

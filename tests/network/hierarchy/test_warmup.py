@@ -1,9 +1,13 @@
 """The verb that compiles the kernels ahead of the first plan."""
 
+import importlib
+
+import numpy as np
 from graphs import planar
 
 from platoon_osm.cli import main
 from platoon_osm.network import engines
+from platoon_osm.network.hierarchy.engine import HierarchyEngine
 from platoon_osm.network.hierarchy.storage import hierarchy_path
 from platoon_osm.network.store import save_network
 
@@ -16,6 +20,33 @@ def test_warmup_compiles_and_prepares(tmp_path, capsys):
     assert hierarchy_path(path).is_file()
     assert engines._loaded()
     assert engines._compiled()
+
+
+def test_nothing_is_left_to_compile(monkeypatch):
+    engines.warm_up()
+    parts = ("batches", "customization", "members", "paths", "rows", "selection", "sweeps")
+    modules = [importlib.import_module(f"platoon_osm.network.hierarchy.{part}") for part in parts]
+    for module in modules:
+        monkeypatch.setattr(module, "WORTH_A_THREAD", 0, raising=False)
+
+    def compiled():
+        kernels = [item for module in modules for item in vars(module).values()]
+        return [kernel.signatures for kernel in kernels if hasattr(kernel, "signatures")]
+
+    before = [list(signatures) for signatures in compiled()]
+    assert len(before) > 20
+    net, weight = planar(3000, 1)
+    engine = HierarchyEngine(net, weight, threads=2)
+    some = np.arange(70)
+    engine.distances(some)
+    engine.distances(some[:3], forward=False)
+    tree = engine.tree(0)
+    path = tree.path(int(np.argmax(np.where(np.isfinite(tree.dist), tree.dist, -1))))
+    engine.seeded(np.zeros(net.n)).path(5)
+    engine.many_to_many(some, some)
+    steps = np.arange(len(path) + 1.0)
+    engine.best_on_route(net.path_nodes(path), some, some[::-1], steps, steps)
+    assert compiled() == before
 
 
 def test_warmup_refuses_what_is_no_saved_network(tmp_path, capsys):
