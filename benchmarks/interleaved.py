@@ -38,15 +38,25 @@ class Comparison:
         return min(ratios), max(ratios)
 
 
-def compare(alternatives: Mapping[str, Callable[[], Any]], rounds: int = 5) -> Comparison:
-    """Run all alternatives once unmeasured, then in turns for some rounds."""
+def compare(
+    alternatives: Mapping[str, Callable[[], Any]], rounds: int = 5, turn_s: float = 0.0
+) -> Comparison:
+    """Run all alternatives once unmeasured, then in turns for some rounds.
+
+    Parameters
+    ----------
+    turn_s : a turn lasts at least so long, by calling again: the first call after somebody else's
+        turn finds the caches full of what is not its own.
+    """
     for run in alternatives.values():
         run()
     seconds: dict[str, list[float]] = {name: [] for name in alternatives}
     for _ in range(rounds):
         for name, run in alternatives.items():
             gc.collect()
-            start = time.perf_counter()
-            run()
-            seconds[name].append(time.perf_counter() - start)
+            calls, start = 0, time.perf_counter()
+            while not calls or time.perf_counter() - start < turn_s:
+                run()
+                calls += 1
+            seconds[name].append((time.perf_counter() - start) / calls)
     return Comparison({name: tuple(times) for name, times in seconds.items()})

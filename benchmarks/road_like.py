@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from platoon_osm.network.road_network import RoadNetwork
 
-__all__ = ["road_like"]
+__all__ = ["road_like", "shuffled"]
 
 EDGES_PER_NODE = 1.22
 """Undirected; 1.22 in the DIMACS USA graph, 1.18 in its Europe."""
@@ -53,6 +53,16 @@ def road_like(nodes: int, seed: int = 0) -> RoadNetwork:
         lat=(xy[:, 1] - 0.5) * min(degrees, 60.0),
         speed_mps=rng.choice([50 / 3.6, 80 / 3.6, 90 / 3.6], len(forth) + len(both)),
     )
+
+
+def shuffled(net: RoadNetwork, seed: int = 0) -> RoadNetwork:
+    """Return the same network with its nodes numbered at random."""
+    number = np.random.default_rng(seed).permutation(net.n)
+    node = np.argsort(number)
+    return RoadNetwork.from_edges(
+        number[net.tail], number[net.head], net.length_m, lon=net.lon[node], lat=net.lat[node],
+        speed_mps=net.speed_mps,
+    )  # fmt: skip
 
 
 def _morton(xy: NDArray[np.float64]) -> NDArray[np.uint64]:

@@ -26,7 +26,7 @@ from .road_network import RoadNetwork
 from .search import ReferenceEngine, checked_weight
 
 __all__ = ["Engine", "EngineName", "LeastCosts", "distances", "engine_for", "many_to_many",
-           "one_to_many", "path", "prepare", "seeded", "tree", "warm_up"]  # fmt: skip
+           "one_to_many", "path", "prepare", "release", "seeded", "tree", "warm_up"]  # fmt: skip
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
@@ -34,8 +34,8 @@ EngineName = Literal["auto", "reference", "hierarchy"]
 
 REFERENCE_EDGE_S = 1.5e-7
 REFERENCE_NODE_S = 1.5e-7
-SWEEP_NODE_S = 1e-8
-CUSTOMIZE_EDGE_S = 2e-8
+SWEEP_NODE_S = 5e-9
+CUSTOMIZE_EDGE_S = 1.2e-8
 READ_EDGE_S = 5e-8
 ORDER_EDGE_S = 3e-6
 LOAD_S = 1.0
@@ -180,6 +180,13 @@ def _compiled() -> bool:
     from .hierarchy.warmth import is_compiled
 
     return is_compiled()
+
+
+def release() -> None:
+    """Give the system back what the hierarchy keeps of memory for its next results."""
+    module: Any = sys.modules.get(f"{__package__}.hierarchy.lent")
+    if module is not None:
+        module.release()
 
 
 def warm_up() -> float:

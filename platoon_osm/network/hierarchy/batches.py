@@ -34,7 +34,7 @@ LANES = 64
 """Sources swept together."""
 FEW = 4
 """Up to so many sources are swept one by one: lanes left empty cost as much as full ones."""
-WORTH_A_THREAD = 400_000
+WORTH_A_THREAD = 500_000
 """Arcs times sources from which on threads share the work."""
 
 

@@ -27,8 +27,8 @@ Ints = NDArray[np.int32]
 Longs = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-WORTH_A_THREAD = 150_000
-"""Triangles from which on several threads pay; fewer take less than a millisecond."""
+WORTH_A_THREAD = 500_000
+"""Triangles from which on several threads pay; fewer take a millisecond or two."""
 U = np.uint64
 """Unsigned, an index needs no look at its sign."""
 
@@ -62,60 +62,42 @@ def customize(topology: Topology, weight: Floats, threads: int = 1) -> Metric:
         a minimum does not depend on its order, so the result is the same to the last bit.
     """
     t = topology
-    arcs, parts = len(t.head), t.parts()
-    if threads <= 1 or len(t.triangle) < WORTH_A_THREAD or len(parts) <= 1:
-        parts = []
+    arcs = len(t.head)
+    edges = (t.forth, t.back, t.spare, t.spare_place, weight)
+    triangles = (t.run, t.first, t.triangle_first, t.triangle)
+    if threads <= 1 or len(t.triangle) < WORTH_A_THREAD or len(t.subtree) <= 2:
+        up, down = lent(arcs), lent(arcs)
+        _work(0, t.n, 0, *edges, *triangles, up, down, arcs)
+        return Metric(t, up, down)
     # Arcs of the top belong to all subtrees; each offers its sums in a copy of its own.
-    top_arc = int(t.first[t.top])
+    parts, top_arc = t.parts(), int(t.first[t.top])
     copy = arcs - top_arc
     size = arcs + len(parts) * copy
     up, down = lent(size), lent(size)
-    arrays = (
-        t.block, t.run, t.first, t.triangle_first, t.triangle, t.forth, t.back, t.spare,
-        t.spare_place, weight, up, down, top_arc,
-    )  # fmt: skip
-    if not parts:
-        _work(0, len(t.block) - 1, 0, *arrays)
-        return Metric(t, up, down)
 
     def work(k: int) -> None:
         own = slice(arcs + k * copy, arcs + (k + 1) * copy)
         up[own] = down[own] = np.inf
-        low, high = np.searchsorted(t.block, parts[k])
-        _work(low, high, own.start - top_arc, *arrays)
+        low, high = parts[k]
+        _work(low, high, own.start - top_arc, *edges, *triangles, up, down, top_arc)
 
     run_all(work, range(len(parts)), threads)
-    _load(top_arc, arcs, *arrays[5:-1])
+    _load(top_arc, arcs, *edges, up, down)
     for cost in (up, down):
         np.minimum.reduce(cost[top_arc:].reshape(-1, copy), axis=0, out=cost[top_arc:arcs])
-    _relax(t.top, t.n, 0, *arrays[1:5], up, down, arcs)
+    _relax(t.top, t.n, 0, *triangles, up, down, arcs)
     return Metric(t, up[:arcs], down[:arcs])
 
 
 @compiled
 def _work(
-    low: int, high: int, shift: int, block: Ints, run: Ints, first: Ints, triangle_first: Longs,
-    triangle: Ints, forth: Ints, back: Ints, spare: Ints, spare_place: Ints, weight: Floats,
-    up: Floats, down: Floats, top_arc: int,
+    low: int, high: int, shift: int, forth: Ints, back: Ints, spare: Ints, spare_place: Ints,
+    weight: Floats, run: Ints, first: Ints, triangle_first: Longs, triangle: Ints, up: Floats,
+    down: Floats, top_arc: int,
 ) -> None:  # fmt: skip
-    """Customize the blocks from low to high.
-
-    Larger blocks are loaded one by one just before their nodes' turn, while they are in the cache.
-    Sums of their nodes go to arcs of the same block and to those of single nodes: these are first.
-    """
-    for b in range(low, high):
-        if block[b + 1] == block[b] + 1:
-            v = block[b]
-            _load(first[v], first[v + 1], forth, back, spare, spare_place, weight, up, down)
-    done = block[low]
-    for b in range(low, high):
-        begin, end = block[b], block[b + 1]
-        if end > begin + 1:
-            _load(first[begin], first[end], forth, back, spare, spare_place, weight, up, down)
-            _relax(done, end, shift, run, first, triangle_first, triangle, up, down, top_arc)
-            done = end
-    end = block[high]
-    _relax(done, end, shift, run, first, triangle_first, triangle, up, down, top_arc)
+    """Customize the nodes of ranks low to high; arcs from `top_arc` on lie at a + shift."""
+    _load(first[low], first[high], forth, back, spare, spare_place, weight, up, down)
+    _relax(low, high, shift, run, first, triangle_first, triangle, up, down, top_arc)
 
 
 @compiled

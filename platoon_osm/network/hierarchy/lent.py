@@ -2,24 +2,35 @@
 
 Memory fresh from the system costs more than a sweep that fills it: each page is cleared when it is
 first touched. So blocks of results and of costs are lent out, and lent again once nobody holds the
-array, or any view of it, any more.
+array, or any view of it, any more. `release` gives the system back what is not lent.
 """
 
 from __future__ import annotations
 
+import math
+import os
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["KEPT_BYTES", "lent"]
+__all__ = ["KEPT_BYTES", "lent", "release"]
 
 Floats = NDArray[np.float64]
 
 WORTH_LENDING = 1 << 16
 """Bytes; smaller blocks come from memory that the process holds anyway."""
-KEPT_BYTES = 1 << 28
-"""Most memory kept for later."""
+
+
+def _physical_bytes() -> int:
+    try:
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):  # not on every system
+        return 1 << 32
+
+
+KEPT_BYTES = _physical_bytes() // 16
+"""Most memory kept for later: a sixteenth of the machine's."""
 
 _spare: dict[int, list[Floats]] = {}
 
@@ -41,7 +52,7 @@ class _Loan:
 
 def lent(*shape: int) -> Floats:
     """Return an uninitialised array of a shape; its memory is kept when it is no longer used."""
-    size = 8 * int(np.prod(shape))
+    size = 8 * math.prod(shape)
     if not WORTH_LENDING <= size <= KEPT_BYTES:
         return np.empty(shape)
     try:
@@ -50,3 +61,8 @@ def lent(*shape: int) -> Floats:
     except IndexError:
         block = np.empty(size // 8)
     return np.asarray(_Loan(block)).reshape(shape)
+
+
+def release() -> None:
+    """Give the system back the memory that is kept for later."""
+    _spare.clear()

@@ -16,6 +16,8 @@ from numba import types
 from numba.extending import intrinsic
 from numpy.typing import NDArray
 
+from .lent import lent
+
 __all__ = ["LINE", "aligned_rows", "stream_line"]
 
 LINE = 8
@@ -24,7 +26,7 @@ LINE = 8
 
 def aligned_rows(rows: int, columns: int) -> NDArray[np.float64]:
     """Return an uninitialised array whose rows begin at cache lines; columns a multiple of 8."""
-    memory = np.empty(rows * columns + LINE)
+    memory = lent(rows * columns + LINE)
     skipped = -(memory.ctypes.data // 8) % LINE
     return memory[skipped : skipped + rows * columns].reshape(rows, columns)
 

@@ -5,6 +5,7 @@ import threading
 import numpy as np
 import pytest
 
+from platoon_osm.network import engines
 from platoon_osm.network.hierarchy import lent as module
 from platoon_osm.network.hierarchy.lent import lent
 
@@ -43,6 +44,14 @@ def test_little_and_too_much_are_not_kept(monkeypatch):
     first, second = lent(20_000), lent(20_000)
     del first, second
     assert sum(len(blocks) for blocks in module._spare.values()) == 1
+
+
+def test_what_is_kept_can_be_released():
+    array = lent(20_000)
+    del array
+    engines.release()
+    assert not module._spare
+    assert module.KEPT_BYTES > 1 << 24
 
 
 def test_many_threads_take_different_blocks():
