@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..errors import NetworkError
 from .geodesy import distance_m
-from .graph_values import number, whole_number
+from .graph_values import number, parts, whole_number
 from .road_network import ragged_order, shape_lengths_m
 
 __all__ = ["Attributes", "EdgeRow", "GraphArrays", "check_degrees", "graph_arrays"]
@@ -129,12 +129,12 @@ def _node_ids(ids: list[Any]) -> Index:
 
 def _length_m(edge: EdgeRow) -> float:
     length = number(edge[2].get("length"))
-    if length is None:
+    if length is None and not parts(edge[2].get("length")):
         return float("nan")
-    if not 0 <= length < float("inf"):
+    if length is None or not 0 <= length < float("inf"):
         raise NetworkError(
-            f"graph: edge {edge[0]!r} -> {edge[1]!r} has length {length}; a length must be metres, "
-            "finite and not below 0"
+            f"graph: edge {edge[0]!r} -> {edge[1]!r} has length {edge[2]['length']!r:.40}; a "
+            "length must be metres, finite and not below 0"
         )
     return length
 

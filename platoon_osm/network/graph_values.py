@@ -52,7 +52,7 @@ def number(value: Any) -> float | None:
 
 
 def whole_number(value: Any) -> int | None:
-    """Return a whole number, also from text, the lowest of a list; None if there is none.
+    """Return a whole number of 64 bits, also from text, the lowest of a list; else None.
 
     Not through `number`: ids above 2**53 would be rounded to another node's.
     """
@@ -65,7 +65,8 @@ def whole_number(value: Any) -> int | None:
                 found.append(int(float(part)))  # "12.0", as spreadsheets and files write it
             except (TypeError, ValueError, OverflowError):
                 return None
-    return min(found, default=None)
+    lowest = min(found, default=None)
+    return None if lowest is None or not -(2**63) <= lowest < 2**63 else lowest
 
 
 def flag(value: Any) -> bool:

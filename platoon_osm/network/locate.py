@@ -29,6 +29,10 @@ TOWN_AND_JUNCTION_M = 15_000.0
 OTHER_CARRIAGEWAY_M = 1_500.0
 """How much farther than the nearest node another may be to count as a choice of carriageway."""
 
+FARTHEST_ROAD_M = 200_000.0
+"""A place farther than this from any road is not on this map: latitude and longitude exchanged,
+another country, or nought and nought."""
+
 MOST_CANDIDATES = 12
 
 MOSTLY_CONNECTED = 0.5
@@ -72,7 +76,7 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
     ------
     NetworkError
         No such node or name (with the nearest spellings), several places of that name (listed),
-        or coordinates off the globe.
+        or coordinates off the globe or far from every road.
     """
     if role not in get_args(Role):
         raise ValueError(f"role {role!r} is unknown; use {', '.join(get_args(Role))}")
@@ -80,7 +84,7 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
         return place
     if isinstance(place, str):
         return _by_name(net, place, role)
-    if isinstance(place, int | np.integer):
+    if isinstance(place, int | np.integer) and not isinstance(place, bool):
         node = int(place)
         if not 0 <= node < net.n:
             raise NetworkError(f"node {node}: the network has nodes 0 to {net.n - 1}")
@@ -90,7 +94,7 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
         lon, lat = (float(value) for value in place)
     except (TypeError, ValueError):
         raise NetworkError(
-            f"place {place!r}: give a node, a (lon, lat) pair in degrees or a name"
+            f"place {repr(place)[:80]}: give a node, a (lon, lat) pair in degrees or a name"
         ) from None
     if not (abs(lon) <= 180 and abs(lat) <= 90):
         raise NetworkError(
@@ -154,10 +158,15 @@ def _by_coordinates(
     chosen = [i for i in order[:MOST_CANDIDATES] if away[i] <= limit]
     candidates = tuple((int(usable[i]), float(away[i])) for i in chosen)
     node = candidates[0][0]
-    return Location(
-        node, name or net.place_name(node), lon, lat,
-        _road_distance_m(net, fits[net.tail] | fits[net.head], lon, lat), candidates,
-    )  # fmt: skip
+    road_m = _road_distance_m(net, fits[net.tail] | fits[net.head], lon, lat)
+    if road_m > FARTHEST_ROAD_M:
+        exchanged = abs(lon) <= 90 and distance_m(net.lon, net.lat, lat, lon).min() < road_m / 10
+        raise NetworkError(
+            f"place ({lon:g}, {lat:g}): {road_m / 1000:,.0f} km from the nearest road of "
+            f"{net.source.name}; "
+            + ("give longitude first, then latitude" if exchanged else "load a map of that region")
+        )
+    return Location(node, name or net.place_name(node), lon, lat, road_m, candidates)
 
 
 def _road_distance_m(net: RoadNetwork, edges: NDArray[np.bool_], lon: float, lat: float) -> float:
@@ -222,13 +231,18 @@ def _by_name(net: RoadNetwork, text: str, role: Role) -> Location:
     matches = index.get(wanted) or [
         item for key, items in index.items() if f" {wanted} " in f" {key} " for item in items
     ]
-    if road:
-        matches = [item for item in matches if road in item.roads() | {item.kind}]
+    shown = f"place {text[:80]!r}"
+    if road and matches:
+        there = [item for item in matches if road in item.roads() | {item.kind}]
+        if not there:
+            listed = "; ".join(item.label() for item in matches[:6])
+            raise NetworkError(f"{shown}: not on that road; there is {listed}")
+        matches = there
     if not matches:
         near = difflib.get_close_matches(wanted, index, 4, 0.6)
         hint = ", ".join(index[key][0].name for key in near)
         raise NetworkError(
-            f"place {text!r}: no junction or town of that name in {net.source.name}; "
+            f"{shown}: no junction or town of that name in {net.source.name}; "
             + (f"did you mean {hint}?" if hint else "give (lon, lat) instead")
         )
     matches = _join_towns(matches)
@@ -236,7 +250,7 @@ def _by_name(net: RoadNetwork, text: str, role: Role) -> Location:
         listed = "; ".join(item.label() for item in matches[:6])
         more = f"; and {len(matches) - 6} more" if len(matches) > 6 else ""
         raise NetworkError(
-            f"place {text!r} is ambiguous: {listed}{more}; add the road in brackets, as in "
+            f"{shown} is ambiguous: {listed}{more}; add the road in brackets, as in "
             f'"{matches[0].name} ({next(iter(sorted(matches[0].refs)), "A1")})", or give (lon, lat)'
         )
     match = matches[0]

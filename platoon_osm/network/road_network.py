@@ -197,7 +197,10 @@ class RoadNetwork:
             shape_first = 2 * np.arange(m + 1, dtype=np.int64)
             shape_lon, shape_lat = lons[ends], lats[ends]
         first = np.asarray(shape_first, np.int64)
-        shape_lons, shape_lats = np.asarray(shape_lon), np.asarray(shape_lat)
+        shape_lons, shape_lats = (
+            np.asarray(shape_lon, np.float64),
+            np.asarray(shape_lat, np.float64),
+        )
         if len(shape_lons) != first[-1] or len(shape_lats) != first[-1] or first[0] != 0:
             raise NetworkError(
                 f"network: shapes have {len(shape_lons)} lon and {len(shape_lats)} lat for points "

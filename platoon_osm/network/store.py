@@ -1,12 +1,17 @@
 """The project's own saved form: one file, opened by mapping it into memory.
 
-Layout: 8 bytes of magic, the length of the header (uint64, little endian), the header as JSON
-(format version, source, report, and for every array its dtype, shape and offset), then the arrays,
-each aligned to 64 bytes. Nothing is parsed on opening but the header.
+Layout: 7 bytes of magic and one of format version, the length of the header (uint64, little
+endian), the header's sha256 (32 bytes), the header as JSON (source, report, for every array its
+dtype, shape and offset, and the sha256 of all arrays), then the arrays, each aligned to 64 bytes.
+
+A damaged file must not give wrong answers. On opening, the header is compared with its hash, and
+every array of positions is checked; the arrays themselves are hashed where that takes a few
+milliseconds, or when asked for.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from dataclasses import fields
@@ -16,94 +21,130 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MapDataError
+from ..errors import MapDataError, NetworkError
 from ..whole_file import whole_file
 from .load_report import LoadReport, Source
 from .road_network import NamedPoints, RoadNetwork
+from .saved_checks import check_arrays
 from .texts import TextTable
 
 __all__ = ["FORMAT_VERSION", "MAGIC", "open_network", "save_network"]
 
-MAGIC = b"PLTNNET\x01"
-FORMAT_VERSION = 1
+MAGIC = b"PLTNNET"
+FORMAT_VERSION = 2
 ALIGNMENT = 64
+BEFORE_HEADER = len(MAGIC) + 1 + 8 + 32
+
+SOON_HASHED_BYTES = 16 * 2**20
+"""Up to this size a file is hashed whenever it is opened: about 10 ms."""
 
 
 def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     """Write a network so that `open_network` needs only to map the file.
 
     The file appears whole or not at all: it is written beside its place and then renamed.
-    """
-    arrays = _arrays(net)
-    index: dict[str, dict[str, Any]] = {}
-    offset = 0
-    for name, array in arrays.items():
-        index[name] = {"dtype": array.dtype.str, "shape": array.shape, "offset": offset}
-        offset += -(-array.nbytes // ALIGNMENT) * ALIGNMENT
-    header = json.dumps(
-        {
-            "version": FORMAT_VERSION,
-            "source": net.source.to_dict(),
-            "report": net.load_report.to_dict(),
-            "arrays": index,
-            "payload_bytes": offset,
-        }
-    ).encode()
-    header += b" " * (-(len(MAGIC) + 8 + len(header)) % ALIGNMENT)
-    with whole_file(path, MapDataError) as draft, draft.open("wb") as out:
-        out.write(MAGIC + len(header).to_bytes(8, "little") + header)
-        for array in arrays.values():
-            out.write(np.ascontiguousarray(array).tobytes())
-            out.write(b"\0" * (-array.nbytes % ALIGNMENT))
-
-
-def open_network(path: str | os.PathLike[str]) -> RoadNetwork:
-    """Open a saved network; its arrays stay on disk until they are used.
 
     Raises
     ------
     MapDataError
-        Not a saved network, cut short, or written by another version of the format.
+        The file cannot be written.
+    NetworkError
+        The network was not made by `from_edges` and its arrays do not fit each other.
+    """
+    arrays = _arrays(net)
+    try:
+        check_arrays(arrays)
+    except ValueError as error:
+        raise NetworkError(f"network: {error}; make it with RoadNetwork.from_edges") from error
+    index: dict[str, dict[str, Any]] = {}
+    offset = 0
+    digest = hashlib.sha256()
+    for name, array in arrays.items():
+        index[name] = {"dtype": array.dtype.str, "shape": array.shape, "offset": offset}
+        offset += -(-array.nbytes // ALIGNMENT) * ALIGNMENT
+        digest.update(_padded(array))
+    header = json.dumps(
+        {
+            "source": net.source.to_dict(),
+            "report": net.load_report.to_dict(),
+            "arrays": index,
+            "payload_bytes": offset,
+            "payload_sha256": digest.hexdigest(),
+        }
+    ).encode()
+    header += b" " * (-(BEFORE_HEADER + len(header)) % ALIGNMENT)
+    with whole_file(path, MapDataError) as draft, draft.open("wb") as out:
+        out.write(MAGIC + bytes([FORMAT_VERSION]) + len(header).to_bytes(8, "little"))
+        out.write(hashlib.sha256(header).digest() + header)
+        for array in arrays.values():
+            out.write(_padded(array))
+
+
+def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) -> RoadNetwork:
+    """Open a saved network; its arrays stay on disk until they are used.
+
+    Parameters
+    ----------
+    verify : compare all arrays with the hash they were saved with; by default only where that
+        takes a few milliseconds, up to 16 MB. Damage to arrays of positions is always found.
+
+    Raises
+    ------
+    MapDataError
+        Not a saved network, cut short, damaged, or written by another version of the format.
     """
     file = Path(path)
     try:
         with file.open("rb") as handle:
-            start = handle.read(len(MAGIC) + 8)
-            if len(start) < len(MAGIC) + 8 or not start.startswith(MAGIC):
+            start = handle.read(BEFORE_HEADER)
+            if not start.startswith(MAGIC):
                 raise MapDataError(f"{file}: not a saved network; make one with `prepare`")
-            header_bytes = int.from_bytes(start[len(MAGIC) :], "little")
+            if len(start) < BEFORE_HEADER:
+                raise _damaged(file, "its header is cut short")
+            version = start[len(MAGIC)]
+            if version != FORMAT_VERSION:
+                raise MapDataError(
+                    f"{file}: saved in format {version}, this version reads {FORMAT_VERSION}; run "
+                    "`platoon-osm prepare` on the source again"
+                )
+            header_bytes = int.from_bytes(start[len(MAGIC) + 1 : -32], "little")
             size = file.stat().st_size
             if header_bytes > size:
-                raise _cut_short(file)
-            try:
-                header = json.loads(handle.read(header_bytes))
-            except ValueError as error:
-                raise _cut_short(file) from error
-        if not isinstance(header, dict):
-            raise _cut_short(file)
-        if header.get("version") != FORMAT_VERSION:
-            raise MapDataError(
-                f"{file}: saved in format {header.get('version')}, this version reads "
-                f"{FORMAT_VERSION}; run `platoon-osm prepare` on the source again"
-            )
+                raise _damaged(file, "its header is cut short")
+            content = handle.read(header_bytes)
+        if hashlib.sha256(content).digest() != start[-32:]:
+            raise _damaged(file, "its header does not match its checksum")
+        header = json.loads(content)
         begin = len(start) + header_bytes
-        if size < begin + header["payload_bytes"]:
-            raise _cut_short(file)
+        if size != begin + header["payload_bytes"]:
+            raise _damaged(file, f"{size - begin:,} bytes of {header['payload_bytes']:,}")
         payload = np.memmap(file, np.uint8, "r", begin, (header["payload_bytes"],))
+        if verify is None:
+            verify = len(payload) <= SOON_HASHED_BYTES
+        if verify and hashlib.sha256(payload.data).hexdigest() != header["payload_sha256"]:
+            raise _damaged(file, "its arrays do not match their checksum")
         arrays = {name: _view(payload, item) for name, item in header["arrays"].items()}
+        check_arrays(arrays)
         net = _network(arrays, header)
         net._kept["file"] = file.absolute()
         return net
     except OSError as error:
-        raise MapDataError(f"{file}: cannot be read ({error.strerror})") from error
+        raise MapDataError(
+            f"{file}: cannot be read ({error.strerror}); check the path and its rights"
+        ) from error
     except (KeyError, TypeError, ValueError) as error:
-        raise _cut_short(file) from error
+        # The header is as it was written, so another program wrote it, or one of the future.
+        raise _damaged(file, " ".join(str(error).split())[:100]) from error
 
 
-def _cut_short(file: Path) -> MapDataError:
+def _damaged(file: Path, why: str) -> MapDataError:
     return MapDataError(
-        f"{file}: saved network is damaged or cut short; run `platoon-osm prepare` again"
+        f"{file}: saved network is damaged or cut short ({why}); run `platoon-osm prepare` again"
     )
+
+
+def _padded(array: NDArray[Any]) -> bytes:
+    return np.ascontiguousarray(array).tobytes() + b"\0" * (-array.nbytes % ALIGNMENT)
 
 
 def _arrays(net: RoadNetwork) -> dict[str, NDArray[Any]]:

@@ -74,11 +74,11 @@ def _read(
     if not isinstance(source, str | os.PathLike):
         from .osmnx_graph import network_from_osmnx
 
-        return network_from_osmnx(source, classes, rules)
+        return _with_speed_remark(network_from_osmnx(source, classes, rules), rules)
     if isinstance(source, str) and (found := bundled_path(source)):
         bundled, path = found
         own_rules = TruckRules(country or bundled.country, limiter_kmh)
-        net = read_osm(path, classes, own_rules)
+        net = _with_speed_remark(read_osm(path, classes, own_rules), own_rules)
         return replace(
             net,
             source=Source(
@@ -96,9 +96,8 @@ def _read(
 
 
 def _read_file(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadNetwork:
-    with path.open("rb") as handle:
-        if handle.read(len(MAGIC)) == MAGIC:
-            return open_network(path)
+    if _is_saved(path):
+        return _opened(path, classes, rules)
     suffix = path.suffix.lower()
     if suffix in {".graphml", ".gpkg", ".json"}:
         from . import osmnx_graph
@@ -108,10 +107,31 @@ def _read_file(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadN
             ".gpkg": osmnx_graph.read_geopackage,
             ".json": osmnx_graph.read_overpass_cache,
         }[suffix]
-        return reader(path, classes, rules)
-    if suffix == ".platoon":
-        return open_network(path)
-    return read_osm(path, classes, rules)
+        return _with_speed_remark(reader(path, classes, rules), rules)
+    return _with_speed_remark(read_osm(path, classes, rules), rules)
+
+
+def _is_saved(path: Path) -> bool:
+    with path.open("rb") as handle:
+        return handle.read(len(MAGIC)) == MAGIC or path.suffix.lower() == ".platoon"
+
+
+def _opened(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadNetwork:
+    net = open_network(path)
+    if classes == MOTORWAY_CLASSES and rules == TruckRules():
+        return net
+    remark = "opened as it was saved: classes, country and limiter were settled by `prepare`"
+    return net.with_report(net.load_report.extended({}, remark))
+
+
+def _with_speed_remark(net: RoadNetwork, rules: TruckRules) -> RoadNetwork:
+    """Say which limit capped the speeds, so that none is guessed in silence."""
+    if rules.country:
+        law = f"the truck limit of {rules.country} where the map has no maxspeed:hgv"
+    else:
+        law = "no national limit, as no country was given (country=, --country)"
+    remark = f"speeds are capped by a limiter of {rules.limiter_kmh:g} km/h and {law}"
+    return net.with_report(net.load_report.extended({}, remark))
 
 
 def _with_connection_remark(net: RoadNetwork) -> RoadNetwork:

@@ -158,7 +158,7 @@ def _counts(readings: list[WayReading], ways: list[int]) -> dict[str, int]:
 
 
 def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
-    counts = dict(ways.counts)
+    counts = {**ways.counts, **raw.left_out}
     way = np.repeat(np.arange(len(raw.way_id)), np.diff(raw.first))
     present = ~np.isnan(raw.lon)
     on_road = ways.kept[way]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import os
+import warnings
 from collections.abc import Hashable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,7 @@ from ..network.load_report import Source
 from ..network.road_network import RoadNetwork
 from .edge_tags import class_code, edge_class, truck_tags
 from .file_identity import osm_source, read_bytes
+from .freight_graph import REMARK, as_tagged, freight_source, is_freight_graph
 from .overpass import read_overpass_cache
 from .road_choice import RoadChoice
 from .truck import TruckRules
@@ -70,7 +72,7 @@ def network_from_osmnx(
 def read_graphml(
     path: str | os.PathLike[str], classes: Sequence[str], rules: TruckRules
 ) -> RoadNetwork:
-    """Read a GraphML file saved by OSMnx.
+    """Read a GraphML file saved by OSMnx, or one of the ETISplus long-distance network.
 
     Raises
     ------
@@ -82,17 +84,25 @@ def read_graphml(
     file = Path(path)
     content, digest = read_bytes(file)
     try:
-        graph = networkx.read_graphml(io.BytesIO(content), force_multigraph=True)
+        with warnings.catch_warnings(record=True) as noticed:
+            warnings.simplefilter("always")
+            graph = networkx.read_graphml(io.BytesIO(content), force_multigraph=True)
     except ParseError as error:
         raise MapDataError(
             f"{file}: not XML, or cut short (line {error.position[0]}); save it again with "
             "osmnx.io.save_graphml"
         ) from error
-    except (networkx.NetworkXError, ValueError, KeyError, TypeError, AttributeError) as error:
+    except (networkx.NetworkXError, ValueError, LookupError, TypeError, AttributeError) as error:
         raise MapDataError(
             f"{file}: not a GraphML graph; save one with osmnx.io.save_graphml"
         ) from error
+    source, remarks = osm_source(file.name, digest), _remarks(noticed)
     try:
+        if is_freight_graph(graph):
+            as_tagged(graph)
+            # These files are all called graph.graphml, in a folder for each country.
+            name = f"{file.absolute().parent.name}/{file.name}"
+            source, remarks = freight_source(name, digest), (REMARK, *remarks)
         edges = directed_edges(graph)
         check_degrees(graph.graph.get("crs"))
         names = _node_keys(graph.nodes)
@@ -101,8 +111,9 @@ def read_graphml(
             [(names[str(u)], names[str(v)], data) for u, v, data in edges],
             classes,
             rules,
-            osm_source(file.name, digest),
+            source,
             str(file),
+            remarks,
         )
     except NetworkError as error:
         raise MapDataError(f"{file}: {error}") from error
@@ -140,13 +151,15 @@ def read_geopackage(
     except OSError as error:
         raise MapDataError(f"{file}: cannot be read ({error.strerror}); check the path") from error
     try:
-        layers = [str(name) for name in pyogrio.list_layers(file)[:, 0]]
-        if not {"nodes", "edges"} <= set(layers):
-            raise MapDataError(
-                f"{file}: has the layers {', '.join(layers) or '(none)'}, needs nodes and edges; "
-                f"{remedy}"
-            )
-        nodes, edges = (geopandas.read_file(file, layer=layer) for layer in ("nodes", "edges"))
+        with warnings.catch_warnings(record=True) as noticed:
+            warnings.simplefilter("always")
+            layers = [str(name) for name in pyogrio.list_layers(file)[:, 0]]
+            if not {"nodes", "edges"} <= set(layers):
+                raise MapDataError(
+                    f"{file}: has the layers {', '.join(layers) or '(none)'}, needs nodes and "
+                    f"edges; {remedy}"
+                )
+            nodes, edges = (geopandas.read_file(file, layer=layer) for layer in ("nodes", "edges"))
     except (RuntimeError, ValueError, OSError) as error:
         raise MapDataError(f"{file}: not a GeoPackage, or damaged; {remedy}") from error
     for layer, table, needed in (
@@ -160,10 +173,16 @@ def read_geopackage(
     try:
         return _network(
             _node_rows(nodes), _edge_rows(edges), classes, rules,
-            osm_source(file.name, digest), str(file),
+            osm_source(file.name, digest), str(file), _remarks(noticed),
         )  # fmt: skip
     except NetworkError as error:
         raise MapDataError(f"{file}: {error}") from error
+
+
+def _remarks(noticed: Iterable[warnings.WarningMessage]) -> tuple[str, ...]:
+    """Return what the reader of a file warned of, for the report."""
+    told = dict.fromkeys(" ".join(str(item.message).split())[:200] for item in noticed)
+    return tuple(f"reading the file: {text}" for text in list(told)[:10])
 
 
 def _degrees(table: geopandas.GeoDataFrame) -> geopandas.GeoDataFrame:
@@ -200,6 +219,7 @@ def _network(
     rules: TruckRules,
     source: Source,
     what: str = "graph",
+    remarks: Sequence[str] = (),
 ) -> RoadNetwork:
     choice = RoadChoice(classes, rules, "edges")
     kept: list[EdgeRow] = []
@@ -242,4 +262,4 @@ def _network(
         shape_lat=arrays.shape_lat,
         source=source,
     )
-    return choice.finished(net, np.array([bool(sign) for sign in signs], np.bool_))
+    return choice.finished(net, np.array([bool(sign) for sign in signs], np.bool_), *remarks)

@@ -47,7 +47,7 @@ def read_overpass_cache(
             if way["type"] == "way" and "highway" in way.get("tags", {})
             for segment in _segments(way, nodes, choice)
         ]
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise MapDataError(
             f"{file}: an element lacks its id, type, nodes or coordinates ({error!r:.60}); "
             "fetch the answer again with out body"
@@ -103,8 +103,20 @@ def _nodes(file: Path, elements: list[Any]) -> dict[int, Place]:
             raise MapDataError(
                 f"{file}: node {element['id']} lies at lon {lon}, lat {lat}; fetch the file again"
             )
-        nodes[int(element["id"])] = (lon, lat, element.get("tags", {}))
+        nodes[_id(element)] = (lon, lat, _tags(element))
     return nodes
+
+
+def _id(element: Mapping[str, Any]) -> int:
+    """Return the id of an element, which a network keeps as 64 bits."""
+    number = int(element["id"])
+    if not -(2**63) <= number < 2**63:
+        raise ValueError(f"id {number}")
+    return number
+
+
+def _tags(element: Mapping[str, Any]) -> dict[str, str]:
+    return {str(key): str(value) for key, value in element.get("tags", {}).items()}
 
 
 Segment = tuple[int, int, WayReading, Mapping[str, str], int]
@@ -114,7 +126,7 @@ def _segments(
     way: Mapping[str, Any], nodes: Mapping[int, Place], choice: RoadChoice
 ) -> Iterator[Segment]:
     """Yield the directed pieces between consecutive nodes of a way."""
-    tags = {str(key): str(value) for key, value in way["tags"].items()}
+    tags = _tags(way)
     reading = choice.read(tags)
     if reading is None:
         return
@@ -129,9 +141,9 @@ def _segments(
         if u == v:
             continue
         if reading.direction != BACKWARD:
-            yield u, v, reading, tags, way["id"]
+            yield u, v, reading, tags, _id(way)
         if reading.direction in (BACKWARD, BOTH):
-            yield v, u, backward, tags, way["id"]
+            yield v, u, backward, tags, _id(way)
 
 
 def _network(segments: list[Segment], nodes: Mapping[int, Place], source: Source) -> RoadNetwork:

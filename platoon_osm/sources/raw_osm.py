@@ -11,8 +11,9 @@ import hashlib
 import re
 import tempfile
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import compress
 from math import nan
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ from numpy.typing import NDArray
 from ..errors import MapDataError
 from ..network.load_report import Source
 from .file_identity import osm_source
+from .josm import deleted_ways, new_node_positions, xml_items
 
 __all__ = ["RawMap", "TagReader", "read_raw"]
 
@@ -54,6 +56,7 @@ class RawMap:
     first : (w + 1,) where each way's nodes begin.
     ref, lon, lat : (k,) node ids and degrees along the ways; NaN where the file lacks the node.
     nodes : id, tags as OPL text, lon and lat of each tagged node.
+    left_out : how many ways were left out, by reason.
     """
 
     source: Source
@@ -64,6 +67,7 @@ class RawMap:
     lon: NDArray[np.float64]
     lat: NDArray[np.float64]
     nodes: tuple[tuple[int, str, float, float], ...]
+    left_out: Mapping[str, int]
 
 
 def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
@@ -79,15 +83,15 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     tags = [("highway", name) for name in classes]
     with tempfile.TemporaryDirectory(prefix="platoon-osm-") as folder:
         opl = Path(folder) / "roads.opl"
-        extracted, coordinates = _filter_to_opl(path, tags, opl)
+        found = _filter_to_opl(path, tags, opl)
         ways, nodes = _split_lines(opl)
-    source = osm_source(path.name, _sha256(path), extracted)
+    coordinates = found.coordinates()
     lists = [line[2] for line in ways]
     count = np.fromiter((part.count("n") for part in lists), np.int64, len(lists))
     first = np.zeros(len(ways) + 1, np.int64)
     np.cumsum(count, out=first[1:])
-    return RawMap(
-        source=source,
+    raw = RawMap(
+        source=osm_source(path.name, _sha256(path), found.extracted),
         way_id=np.fromiter((int(line[0][1:]) for line in ways), np.int64, len(ways)),
         way_tags=tuple(line[1][1:] for line in ways),
         first=first,
@@ -95,6 +99,51 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         lon=coordinates[:, 0].copy(),
         lat=coordinates[:, 1].copy(),
         nodes=tuple(_node(path, line) for line in nodes),
+        left_out={},
+    )
+    _place_new_nodes(path, raw)
+    deleted = found.deleted | (deleted_ways(path) if found.generator == "JOSM" else set())
+    if deleted:
+        gone = np.isin(raw.way_id, np.fromiter(deleted, np.int64, len(deleted)))
+        raw = _left_out(raw, gone, "ways left out: deleted")
+    return _left_out(raw, _repeated(raw.way_id), "ways left out: listed again further on")
+
+
+def _place_new_nodes(path: Path, raw: RawMap) -> None:
+    """Fill in the coordinates of nodes with negative ids."""
+    at = np.flatnonzero(np.isnan(raw.lon) & (raw.ref < 0))
+    if len(at):
+        places = new_node_positions(path, raw.ref[at])
+        for k, node in zip(at.tolist(), raw.ref[at].tolist(), strict=True):
+            if node in places:
+                raw.lon[k], raw.lat[k] = _on_the_globe(path, node, *places[node])
+
+
+def _repeated(way_id: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Mark ways that follow again, as in files put together from overlapping extracts."""
+    repeated = np.zeros(len(way_id), np.bool_)
+    if (np.diff(way_id) <= 0).any():
+        _, from_end = np.unique(way_id[::-1], return_index=True)
+        repeated[:] = True
+        repeated[len(way_id) - 1 - from_end] = False
+    return repeated
+
+
+def _left_out(raw: RawMap, gone: NDArray[np.bool_], reason: str) -> RawMap:
+    """Return the map without some ways, and their number among `left_out`."""
+    if not gone.any():
+        return raw
+    size = np.diff(raw.first)
+    points = np.repeat(~gone, size)
+    return replace(
+        raw,
+        way_id=raw.way_id[~gone],
+        way_tags=tuple(compress(raw.way_tags, (~gone).tolist())),
+        first=np.concatenate([[0], np.cumsum(size[~gone])]).astype(np.int64),
+        ref=raw.ref[points],
+        lon=raw.lon[points],
+        lat=raw.lat[points],
+        left_out={**raw.left_out, reason: int(gone.sum())},
     )
 
 
@@ -137,6 +186,11 @@ class _Collector:
     """Takes wanted objects from libosmium: tags and node ids as OPL, coordinates as they are.
 
     Both are written in C++; only the rare way whose nodes the file lacks is looked at in Python.
+
+    Attributes
+    ----------
+    deleted : ways whose last version is a deletion, as in files with history.
+    extracted, generator : what the file's head says of itself.
     """
 
     def __init__(self, writer: Any) -> None:
@@ -148,8 +202,15 @@ class _Collector:
         self._all = osmium.geom.ALL
         self._unfit: tuple[type[Exception], ...] = (osmium.InvalidLocationError, RuntimeError)
         self.shapes: list[str] = []
+        self.deleted: set[int] = set()
+        self.extracted = self.generator = ""
 
     def way(self, way: Any) -> None:
+        if way.deleted:
+            self.deleted.add(way.id)
+            return
+        if self.deleted:
+            self.deleted.discard(way.id)
         self._add_way(way)
         try:
             self.shapes.append(self._line(way, self._all)[WKB_HEADER:])
@@ -172,10 +233,8 @@ def _off_the_globe(location: Any) -> bool:
     return location.x != UNDEFINED_COORDINATE and not location.valid()
 
 
-def _filter_to_opl(
-    path: Path, tags: list[tuple[str, str]], opl: Path
-) -> tuple[str, NDArray[np.float64]]:
-    """Write the wanted objects as OPL; return when the data was extracted, and coordinates."""
+def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Collector:
+    """Write the wanted objects as OPL; return what was collected besides."""
     import osmium
 
     try:
@@ -188,7 +247,8 @@ def _filter_to_opl(
             locations.ignore_errors()
             wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS)
             osmium.apply(reader, locations, wanted, collector)
-            header: str = reader.header().get("timestamp")
+            collector.extracted = reader.header().get("timestamp")
+            collector.generator = reader.header().get("generator")
         # Writing happens in another thread; what goes wrong there may show only on closing.
         writer.close()
     except osmium.InvalidLocationError as error:
@@ -197,13 +257,34 @@ def _filter_to_opl(
             "correct or remove it"
         ) from error
     except (RuntimeError, ValueError) as error:
-        raise MapDataError(f"{path}: {_why(str(error))}") from error
-    return header, collector.coordinates()
+        raise MapDataError(f"{path}: {_misnamed(path) or _why(str(error))}") from error
+    return collector
+
+
+BEGINNINGS = (
+    (0, b"\x1f\x8b", "packed with gzip", (".gz",)),
+    (0, b"BZh", "packed with bzip2", (".bz2",)),
+    (0, b"<?xml", "XML", (".osm", ".xml")),
+    (0, b"<osm", "XML", (".osm", ".xml")),
+    (6, b"OSMHeader", "PBF", (".pbf",)),
+)
+"""What stands at which place of a file, what the file then is, and how its name should end."""
+
+
+def _misnamed(path: Path) -> str:
+    """Say so if the content of a file is of another kind than its name tells libosmium."""
+    with path.open("rb") as handle:
+        begin = handle.read(16)
+    for at, marker, kind, suffixes in BEGINNINGS:
+        if begin[at:].startswith(marker) and path.suffix not in suffixes:
+            name = suffixes[0] if suffixes[0] == ".osm" else f".osm{suffixes[0]}"
+            return f"its content is {kind}, its name says otherwise; rename it to end in {name}"
+    return ""
 
 
 def _why(message: str) -> str:
     """Say in one line what libosmium found wrong, and what to do."""
-    said = " ".join(message.split())
+    said = " ".join(message.split())[:200]
     if "file format" in said:
         return "not an OSM file by its name; use .osm.pbf, .osm, .osm.gz or .osm.bz2"
     if any(word in said for word in CUT_SHORT):
@@ -230,21 +311,16 @@ def _bad_node(path: Path) -> str:
 
 def _bad_xml_node(path: Path) -> str:
     """Name the first node of an XML file whose coordinates are no numbers within the globe."""
-    import bz2
-    import gzip
-
-    opener: Any = {".gz": gzip.open, ".bz2": bz2.open}.get(path.suffix, open)
     try:
-        with opener(path, "rb") as handle:
-            for _, item in ElementTree.iterparse(handle, events=("start",)):
-                if item.tag == "node":
-                    try:
-                        lon, lat = float(item.get("lon", "0")), float(item.get("lat", "0"))
-                    except ValueError:
-                        return f"node {item.get('id')}"
-                    if not (abs(lon) <= 180 and abs(lat) <= 90):
-                        return f"node {item.get('id')}"
-    except (OSError, ElementTree.ParseError):
+        for item in xml_items(path):
+            if item.tag == "node":
+                try:
+                    lon, lat = float(item.get("lon", "0")), float(item.get("lat", "0"))
+                except ValueError:
+                    return f"node {item.get('id')}"
+                if not (abs(lon) <= 180 and abs(lat) <= 90):
+                    return f"node {item.get('id')}"
+    except (OSError, EOFError, LookupError, ElementTree.ParseError):
         pass
     return ""
 
@@ -266,13 +342,18 @@ def _node_ids(lists: list[str]) -> NDArray[np.int64]:
 
 
 def _node(path: Path, line: list[str]) -> tuple[int, str, float, float]:
+    node = int(line[0][1:])
     lon, lat = (float(part[1:].rstrip("\n") or "nan") for part in line[2:4])
+    return node, line[1][1:], *_on_the_globe(path, node, lon, lat)
+
+
+def _on_the_globe(path: Path, node: int, lon: float, lat: float) -> tuple[float, float]:
     if abs(lon) > 180 or abs(lat) > 90:
         raise MapDataError(
-            f"{path}: node {line[0][1:]} has coordinates that are no place on earth (lon {lon}, "
-            f"lat {lat}); correct or remove it"
+            f"{path}: node {node} has coordinates that are no place on earth (lon {lon:g}, lat "
+            f"{lat:g}); correct or remove it"
         )
-    return int(line[0][1:]), line[1][1:], lon, lat
+    return lon, lat
 
 
 def _sha256(path: Path) -> str:

@@ -70,7 +70,10 @@ def _road_trips(options: argparse.Namespace, diameters: Sequence[float]) -> Iter
     from ..sources.load import load_network
     from .road_trips import RoadTrips, read_flows
 
-    net = load_network(options.network, country=options.country, infer_links=options.infer_links)
+    net = load_network(
+        options.network, _list(options.classes), country=options.country,
+        infer_links=options.infer_links,
+    )  # fmt: skip
     flows = read_flows(options.flows, net) if options.flows else None
     for diameter in diameters:
         yield RoadTrips(net, options.vehicles, diameter, options.min_route_km * 1000, flows)
@@ -141,7 +144,7 @@ def write_results(
     tables.write_network(path.with_suffix(".csv"), examples)
     drawn = [(path, figures.save_figure(figures.network_figure(examples), path),
               "Road graphs with the longest platoon in red, spawn points and member routes, at "
-              "tau = 100 %, xi = 18 %.")]  # fmt: skip
+              f"tau = 100 %, xi = 18 %.{_credit(results)}")]  # fmt: skip
     path = output / "figure-2-costs"
     tables.write_costs(path.with_suffix(".csv"), results)
     drawn.append((path, figures.save_figure(figures.cost_figure(first), path),
@@ -175,6 +178,19 @@ def _to_draw(results: Sequence[StudyResult]) -> list[StudyResult]:
     """Choose the first placing, and one with a wide circle to look at beside it."""
     wide = [r for r in results[1:] if r.study.network.spawn_diameter_m >= 4e5]
     return [results[0], *wide[:1]]
+
+
+def _credit(results: Sequence[StudyResult]) -> str:
+    """Return whose map the trips were drawn on; random networks are nobody's."""
+    from .road_trips import RoadTrips
+
+    sources = dict.fromkeys(
+        f"{net.source.attribution}, {net.source.licence}"
+        for r in results
+        if isinstance(r.study.network, RoadTrips)
+        and (net := r.study.network.net).source.attribution
+    )
+    return f" Roads: {'; '.join(sources)}." if sources else ""
 
 
 def _command(options: argparse.Namespace) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -35,6 +36,8 @@ STYLE: Mapping[str, Any] = {
     "font.family": "DejaVu Sans", "font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8,
     "xtick.labelsize": 7, "ytick.labelsize": 7, "legend.fontsize": 7, "axes.linewidth": 0.6,
     "xtick.major.width": 0.6, "ytick.major.width": 0.6, "axes.titleweight": "normal",
+    # Names of files and maps may hold dollar signs, and are no formulas.
+    "text.parse_math": False,
     # The same figure is the same file.
     "svg.hashsalt": "platoon_osm",
 }  # fmt: skip
@@ -129,6 +132,11 @@ def _network_panel(panel: Axes, example: Example) -> None:
         xy[draw.origins, 0], xy[draw.origins, 1], s=22, facecolor="white", edgecolor=RED,
         linewidth=1.1, zorder=8, label="spawn point",
     )  # fmt: skip
+    if net.source.attribution:
+        panel.text(
+            0.995, 0.005, fill(net.source.attribution, 50), transform=panel.transAxes, fontsize=5,
+            color="0.4", ha="right", va="bottom", zorder=9,
+        )  # fmt: skip
     panel.set_aspect("equal")
     panel.autoscale_view()
     panel.set_xlabel("x [km]")

@@ -15,7 +15,8 @@ EXAMPLES = """examples:
   platoon-osm study --runs 100 --seed 0 -o out/study
   platoon-osm study --method dijkstra --diameter-km 1 --spawning points -o out/quick
   platoon-osm study --network italy-motorways --diameter-km 200 --min-route-km 400 -o out/italy
-  platoon-osm study --network italy-motorways --flows traffic.csv -o out/italy-flows
+  platoon-osm study --network italy-motorways --flows IT/traffic.csv -o out/italy-flows
+  platoon-osm study --network NL/graph.graphml --flows NL/traffic.csv --min-route-km 150 -o out/nl
 """
 
 
@@ -51,6 +52,7 @@ def add_study_options(parser: argparse.ArgumentParser) -> None:
     add = group.add_argument
     add("--network", help="a bundled map's name or a file; trips are drawn on it instead")
     add("--flows", type=Path, help="traffic.csv of truck volumes, with segments.csv beside it")
+    add("--classes", default="motorway,motorway_link", help="highway values to load, with commas")
     add("--country", help="whose truck speed limit applies")
     add("--infer-links", action="store_true", help="add likely connectors the map lacks")
     parser.add_argument(

@@ -16,7 +16,10 @@ from ..network.geodesy import distance_m, east_north_m
 from ..network.road_network import RoadNetwork
 from ..sources.synthetic import Draw
 
-__all__ = ["Flows", "RoadTrips", "read_flows"]
+__all__ = ["FARTHEST_PLACE_M", "Flows", "RoadTrips", "read_flows"]
+
+FARTHEST_PLACE_M = 50_000.0
+"""How far a place of the flows may lie from the network's nearest node to count as on it."""
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -31,12 +34,15 @@ class Flows:
     origin, destination : (f,) nodes.
     volume : (f,) trucks a year.
     name : of the file they came from.
+    left_out : [trucks a year] between places of which one is not on the network, or both are at
+        one node of it.
     """
 
     origin: Index
     destination: Index
     volume: Floats
     name: str
+    left_out: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,9 +80,11 @@ class RoadTrips:
         """Plain JSON form, with the identity of the network in place of its arrays."""
         return {
             "kind": "road", "source": self.net.source.name, "identity": self.net.identity(),
+            "attribution": self.net.source.attribution, "licence": self.net.source.licence,
             "vehicles": self.vehicles, "spawn_diameter_m": self.spawn_diameter_m,
             "min_route_m": self.min_route_m, "flows": self.flows.name if self.flows else None,
             "flow_volume": float(self.flows.volume.sum()) if self.flows else None,
+            "flow_volume_left_out": self.flows.left_out if self.flows else None,
             "max_redraws": self.max_redraws,
         }  # fmt: skip
 
@@ -145,48 +153,80 @@ def read_flows(path: Path, net: RoadNetwork) -> Flows:
 
     Places are ids whose coordinates stand in `segments.csv` beside the file (`source`,
     `position_x`, `position_y`), as in the ETISplus sets; each goes to the nearest node of the
-    network's largest connected part.
+    network's largest connected part, if that is within `FARTHEST_PLACE_M`. Flows from and to other
+    places are left out, and counted.
 
     Raises
     ------
     MapDataError
         A file is missing or has other columns, or no flow has both ends on the network.
     """
+    volume_rows = _rows(path, ("origin", "destination", "volume"))
     inside = np.flatnonzero(net.strong_component() == 0)
-    places: dict[str, int] = {}
+    places: dict[str, int | None] = {}
     segments = path.with_name("segments.csv")
     for line, row in _rows(segments, ("source", "position_x", "position_y")):
         if row["source"] not in places:
             lon, lat = (_number(segments, line, row[c]) for c in ("position_x", "position_y"))
+            if not (abs(lon) <= 180 and abs(lat) <= 90):
+                raise MapDataError(
+                    f"{segments.name}: line {line}: {lon:g}, {lat:g} is no longitude and latitude; "
+                    "give degrees"
+                )
             away = distance_m(net.lon[inside], net.lat[inside], lon, lat)
-            places[row["source"]] = int(inside[away.argmin()])
+            nearest = int(away.argmin())
+            known = away[nearest] <= FARTHEST_PLACE_M
+            places[row["source"]] = int(inside[nearest]) if known else None
+    left_out = 0.0
     ends, volumes = [], []
-    for line, row in _rows(path, ("origin", "destination", "volume")):
+    for line, row in volume_rows:
         volume = _number(path, line, row["volume"])
         if volume < 0:
-            raise MapDataError(f"{path.name}: line {line}: volume {volume:g} is below 0")
+            raise MapDataError(
+                f"{path.name}: line {line}: volume {volume:g} is below 0; correct it"
+            )
         pair = places.get(row["origin"]), places.get(row["destination"])
         if None not in pair and pair[0] != pair[1] and volume > 0:
             ends.append(pair)
             volumes.append(volume)
+        else:
+            left_out += volume
     if not ends:
-        raise MapDataError(f"{path.name}: no flow has both of its ends on {net.source.name}")
+        raise MapDataError(
+            f"{path.name}: no flow has both of its ends within {FARTHEST_PLACE_M / 1000:g} km of "
+            f"{net.source.name}; give flows of its region"
+        )
     places_of = np.array(ends, np.int64)
-    return Flows(places_of[:, 0], places_of[:, 1], np.array(volumes), path.name)
+    return Flows(places_of[:, 0], places_of[:, 1], np.array(volumes), path.name, left_out)
 
 
 def _rows(path: Path, columns: tuple[str, ...]) -> list[tuple[int, dict[str, str]]]:
     if not path.is_file():
-        raise MapDataError(f"{path}: no such file; flows need traffic.csv and segments.csv")
+        raise MapDataError(
+            f"{path}: no such file; flows need two: volumes, and segments.csv beside it"
+        )
     try:
         with path.open(encoding="utf-8", newline="") as handle:
             reader = csv.DictReader(handle)
             missing = set(columns) - set(reader.fieldnames or ())
             if missing:
-                raise MapDataError(f"{path}: no column {sorted(missing)[0]!r}")
-            return [(k, row) for k, row in enumerate(reader, 2) if None not in row.values()]
+                raise MapDataError(
+                    f"{path}: no column {sorted(missing)[0]!r}; begin the file with "
+                    f"{','.join(columns)}"
+                )
+            rows = []
+            for row in reader:
+                if None in row or None in row.values():
+                    raise MapDataError(
+                        f"{path}: line {reader.line_num} has another number of fields than the "
+                        "first; the file may be cut short: fetch it again"
+                    )
+                rows.append((reader.line_num, row))
+            return rows
+    except OSError as error:
+        raise MapDataError(f"{path}: cannot be read ({error.strerror}); check its rights") from None
     except (UnicodeDecodeError, csv.Error) as error:
-        raise MapDataError(f"{path}: not a CSV text file ({error})") from None
+        raise MapDataError(f"{path}: not a CSV text file ({error}); save it as UTF-8") from None
 
 
 def _number(path: Path, line: int, text: str) -> float:
@@ -195,5 +235,5 @@ def _number(path: Path, line: int, text: str) -> float:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise MapDataError(f"{path.name}: line {line}: {text!r} is no number")
+        raise MapDataError(f"{path.name}: line {line}: {text!r:.40} is no number; correct it")
     return value

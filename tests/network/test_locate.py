@@ -203,7 +203,26 @@ def test_the_road_in_brackets_decides():
     net = small_italy()
     assert net.locate("Verona (A4)").node == 0
     assert net.locate("verona (a22)").node == 2
-    refused(net, "Verona (A99)", "no junction or town of that name")
+    refused(net, "Verona (A99)", "not on that road; there is Verona (A4)", "Verona (A 22;E 45)")
+    refused(net, "Nowhere (A4)", "no junction or town of that name")
+
+
+def test_a_place_far_from_every_road_is_refused():
+    net = small_italy()
+    assert net.locate((11.0, 46.5)).distance_m > 80_000
+    refused(net, (45.0, 10.0), "km from the nearest road", "give longitude first")
+    refused(net, (0.0, 0.0), "km from the nearest road", "load a map of that region")
+    refused(net, (13.4, 52.5), "load a map of that region")
+
+
+def test_a_truth_value_is_no_node():
+    refused(small_italy(), True, "give a node")
+
+
+def test_a_name_as_long_as_a_book_makes_a_short_message():
+    with pytest.raises(NetworkError) as caught:
+        small_italy().locate("a" * 5_000)
+    assert len(str(caught.value)) < 250
 
 
 def test_a_junction_stands_for_the_town_beside_it():

@@ -1,19 +1,26 @@
 """The saved form: what comes back, what is refused, and that writing is all or nothing."""
 
+import hashlib
 import json
-import time
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from made_networks import random_networks, same_network, small_italy
 
-from platoon_osm.errors import MapDataError
+from platoon_osm.errors import MapDataError, NetworkError
+from platoon_osm.network import store
 from platoon_osm.network.load_report import LoadReport, Source
-from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.network.store import FORMAT_VERSION, MAGIC, open_network, save_network
+from platoon_osm.network.store import (
+    BEFORE_HEADER,
+    FORMAT_VERSION,
+    MAGIC,
+    open_network,
+    save_network,
+)
 
 
 @pytest.fixture
@@ -67,17 +74,13 @@ def test_arrays_are_mapped_and_read_only(saved):
         net.length_m[0] = 1.0
 
 
-def test_opening_costs_nothing(tmp_path):
-    n = 200_000
-    lon = np.linspace(0, 100, n)
-    net = RoadNetwork.from_edges(
-        np.arange(n - 1), np.arange(1, n), lon=lon, lat=np.zeros(n), name=[str(i) for i in lon[1:]]
-    )
-    net.save(tmp_path / "big.platoon")
-    begin = time.perf_counter()
-    opened = open_network(tmp_path / "big.platoon")
-    assert time.perf_counter() - begin < 0.05
-    assert opened.edge_name(n - 2) == "100.0"
+def test_a_large_network_is_not_hashed_on_opening(saved, monkeypatch):
+    monkeypatch.setattr(store, "SOON_HASHED_BYTES", 100)
+    change_array(saved, "length_m", lambda values: values * 2)
+    opened = open_network(saved)
+    assert opened.length_m.sum() == 2 * small_italy().length_m.sum()
+    with pytest.raises(MapDataError, match="arrays do not match their checksum"):
+        open_network(saved, verify=True)
 
 
 def test_saving_over_a_map_that_is_open(saved):
@@ -103,21 +106,97 @@ def test_another_file(saved, content):
     assert_refused(saved, "not a saved network", "prepare")
 
 
+def header_of(content):
+    size = int.from_bytes(content[len(MAGIC) + 1 : BEFORE_HEADER - 32], "little")
+    return json.loads(content[BEFORE_HEADER : BEFORE_HEADER + size]), BEFORE_HEADER + size
+
+
 def with_header(file, change):
-    """Rewrite the header of a saved network, keeping its length in step."""
+    """Rewrite the header of a saved network, keeping its length and hash in step."""
     content = file.read_bytes()
-    start = len(MAGIC) + 8
-    size = int.from_bytes(content[len(MAGIC) : start], "little")
-    header = change(json.loads(content[start : start + size]))
+    header, begin = header_of(content)
+    header = change(header)
     text = header if isinstance(header, bytes) else json.dumps(header).encode()
-    file.write_bytes(MAGIC + len(text).to_bytes(8, "little") + text + content[start + size :])
+    text += b" " * (-(BEFORE_HEADER + len(text)) % 64)
+    start = MAGIC + bytes([FORMAT_VERSION]) + len(text).to_bytes(8, "little")
+    file.write_bytes(start + hashlib.sha256(text).digest() + text + content[begin:])
+
+
+def change_array(file, name, change):
+    """Write other values into one array of a saved network, as damage to the disk would."""
+    content = bytearray(file.read_bytes())
+    header, begin = header_of(content)
+    item = header["arrays"][name]
+    values = np.frombuffer(
+        content, item["dtype"], int(np.prod(item["shape"])), begin + item["offset"]
+    )
+    values[:] = change(values.copy())
+    del values
+    file.write_bytes(content)
 
 
 def test_another_version(saved):
-    with_header(saved, lambda header: {**header, "version": FORMAT_VERSION + 1})
-    assert_refused(
-        saved, f"saved in format {FORMAT_VERSION + 1}", f"reads {FORMAT_VERSION}", "prepare"
-    )
+    content = bytearray(saved.read_bytes())
+    content[len(MAGIC)] = 1
+    saved.write_bytes(content)
+    assert_refused(saved, "saved in format 1", f"reads {FORMAT_VERSION}", "prepare")
+
+
+@settings(
+    max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(st.data())
+def test_no_changed_byte_goes_unnoticed(tmp_path, data):
+    file = tmp_path / "a.platoon"
+    small_italy().save(file)
+    content = bytearray(file.read_bytes())
+    at = data.draw(st.integers(0, len(content) - 1))
+    content[at] ^= data.draw(st.integers(1, 255))
+    file.write_bytes(content)
+    assert_refused(file, "prepare")
+
+
+def set_at(position, value):
+    def change(values):
+        values[position] = value
+        return values
+
+    return change
+
+
+@pytest.mark.parametrize(
+    ("name", "position", "value"),
+    [
+        ("head", 3, 8), ("head", 0, -1), ("tail", 2, 7), ("tail", 0, -5),
+        ("first_out", 0, 1), ("first_out", 2, 2**31 - 1), ("first_out", -1, 9),
+        ("shape_first", 0, -2), ("shape_first", 3, 2**40), ("shape_first", 1, 1),
+        ("shape_first", 2, -(2**63)),
+        ("node_name", 0, 10), ("node_ref", 1, -1), ("ref", 4, 2**30), ("name", 0, -(2**31)),
+        ("points.name", 0, 99), ("points.kind", 1, 5), ("road_class", 0, 11),
+        ("texts.offsets", 1, 2**50), ("texts.offsets", 0, -1), ("toll", 0, None),
+        ("inferred", 2, None),
+    ],
+)  # fmt: skip
+def test_damaged_positions_are_found_without_hashing(saved, name, position, value):
+    if value is None:  # a byte that is neither true nor false
+        content = bytearray(saved.read_bytes())
+        header, begin = header_of(content)
+        content[begin + header["arrays"][name]["offset"] + position] = 7
+        saved.write_bytes(content)
+    else:
+        change_array(saved, name, set_at(position, value))
+    with pytest.raises(MapDataError, match="damaged") as caught:
+        open_network(saved, verify=False)
+    assert "\n" not in str(caught.value)
+    assert str(saved) in str(caught.value)
+    assert name in str(caught.value)
+
+
+def test_a_network_that_could_not_be_opened_again_is_not_saved(tmp_path):
+    net = replace(small_italy(), head=np.full(10, 99, np.int32))
+    with pytest.raises(NetworkError, match="head points beyond its 8 entries"):
+        net.save(tmp_path / "a.platoon")
+    assert list(tmp_path.iterdir()) == []
 
 
 def moved(header):
@@ -141,10 +220,11 @@ def of_no_type(header):
         moved, without_lon, of_no_type,
         lambda _: [1, 2],
         lambda header: {**header, "source": {"unknown": 1}},
-        lambda _: {"version": FORMAT_VERSION},
+        lambda _: {"payload_bytes": 0},
+        lambda header: {**header, "payload_bytes": -1},
         lambda _: b"\xff\xfe{",
     ],
-    ids=["moved", "without", "type", "list", "source", "bare", "bytes"],
+    ids=["moved", "without", "type", "list", "source", "bare", "negative", "bytes"],
 )  # fmt: skip
 def test_damaged_header(saved, change):
     with_header(saved, change)
@@ -152,7 +232,7 @@ def test_damaged_header(saved, change):
 
 
 def test_a_header_longer_than_the_file(saved):
-    saved.write_bytes(MAGIC + (2**60).to_bytes(8, "little") + b"{}")
+    saved.write_bytes(MAGIC + bytes([FORMAT_VERSION]) + (2**60).to_bytes(8, "little") + bytes(40))
     assert_refused(saved, "damaged or cut short")
 
 

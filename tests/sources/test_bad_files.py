@@ -2,10 +2,13 @@
 
 import bz2
 import gzip
+from itertools import pairwise
 from pathlib import Path
 
 import osmium
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from osm_files import MOTORWAY, row, write, xml
 
 from platoon_osm.errors import MapDataError
@@ -40,8 +43,13 @@ def refused(path, *said):
         ("text.osm.bz2", b"hello", "download"),
         ("empty.osm.gz", b"", "OSM file"),
         ("empty.osm.bz2", b"", "download"),
-        ("map.txt", xml(row(2), WAY).encode(), "use .osm.pbf, .osm, .osm.gz or .osm.bz2"),
-        ("map", xml(row(2), WAY).encode(), "use .osm.pbf, .osm, .osm.gz or .osm.bz2"),
+        ("map.txt", b"hello", "use .osm.pbf, .osm, .osm.gz or .osm.bz2"),
+        ("map", xml(row(2), WAY).encode(), ("its content is XML", "rename it to end in .osm")),
+        ("map.OSM", xml(row(2), WAY).encode(), ("its content is XML", "rename it to end in .osm")),
+        ("map.osm.pbf", b"<osm version='0.6'></osm>", "its content is XML"),
+        ("map.osm", gzip.compress(b"<osm/>"), ("packed with gzip", "to end in .osm.gz")),
+        ("map.osm", bz2.compress(b"<osm/>"), ("packed with bzip2", "to end in .osm.bz2")),
+        ("map.osm", b"\0\0\0\x0d\x0a\x09OSMHeader" + bytes(50), ("PBF", "end in .osm.pbf")),
         ("map.png", b"\x89PNG", "use .osm.pbf, .osm, .osm.gz or .osm.bz2"),
         ("map.platoon", b"", "not a saved network"),
         ("map.json", b"{}", "Overpass"),
@@ -52,7 +60,62 @@ def refused(path, *said):
 def test_not_osm(tmp_path, name, content, said):
     path = tmp_path / name
     path.write_bytes(content)
-    refused(path, said)
+    refused(path, *([said] if isinstance(said, str) else said))
+
+
+BOMB = "".join(f'<!ENTITY {name} "{f"&{inner};" * 10}">' for inner, name in pairwise("abcdefghij"))
+READS_A_FILE = '<!ENTITY j SYSTEM "file:///etc/hostname">'
+
+
+@pytest.mark.parametrize("entities", [f'<!ENTITY a "ha">{BOMB}', READS_A_FILE])
+def test_xml_that_would_unpack_to_gigabytes_or_read_other_files(tmp_path, entities):
+    head = f'<?xml version="1.0"?><!DOCTYPE x [{entities}]>'
+    path = tmp_path / "bomb.osm"
+    path.write_text(head + '<osm version="0.6"><node id="1"><tag k="a" v="&j;"/></node></osm>')
+    refused(path, "not a readable OSM file")
+    path = tmp_path / "bomb.graphml"
+    path.write_text(
+        f'{head}<graphml xmlns="http://graphml.graphdrawing.org/xmlns"><key id="d0" for="node" '
+        'attr.name="x" attr.type="string"/><graph edgedefault="directed"><node id="1">'
+        '<data key="d0">&j;</data></node></graph></graphml>'
+    )
+    refused(path, "not XML, or cut short")
+
+
+@pytest.mark.parametrize("node", [2**63 - 1, 2**63, -(2**63) - 1])
+def test_an_id_that_no_computer_holds(tmp_path, node):
+    path = write(tmp_path, row(1) | {node: (11.5, 45.0, {})}, {10: ([1, node], MOTORWAY)})
+    refused(path, "illegal id")
+
+
+@settings(
+    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(st.sampled_from([".osm", ".osm.gz", ".osm.bz2", ".osm.pbf"]), st.data())
+def test_a_damaged_file_is_read_or_refused_in_one_line(tmp_path, suffix, data):
+    content = bytearray(
+        write(tmp_path, row(30), {10: (list(range(1, 31)), MOTORWAY)}, suffix).read_bytes()
+    )
+    for _ in range(data.draw(st.integers(1, 4))):
+        at = data.draw(st.integers(0, len(content) - 1))
+        part = data.draw(st.binary(max_size=9))
+        content[at : at + data.draw(st.integers(0, 9))] = part
+    path = tmp_path / f"damaged{suffix}"
+    path.write_bytes(content)
+    message = refusal(path)
+    if message is not None:
+        assert message.startswith(f"{path}: ")
+        assert "\n" not in message
+        assert len(message) < 500
+
+
+def refusal(path):
+    """Return what is said of a file that is refused, None if it is read."""
+    try:
+        load_network(path)
+    except MapDataError as error:
+        return str(error)
+    return None
 
 
 @pytest.mark.parametrize("share", [0.02, 0.3, 0.6, 0.9, 0.99])

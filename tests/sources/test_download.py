@@ -13,6 +13,7 @@ import pytest
 import requests
 from small_osm import ROADS, as_overpass
 
+from platoon_osm.cli import main
 from platoon_osm.errors import MapDataError, ScenarioError
 from platoon_osm.network.store import open_network
 from platoon_osm.sources.download import download, osmnx_settings, read_bounds
@@ -141,6 +142,17 @@ def test_own_form_of_a_place(server, tmp_path):
     assert net.source.licence == "ODbL 1.0"
     assert {"motorway", "primary"} <= set(to_classes(net))
     assert net.speed_mps.max() * 3.6 == pytest.approx(80)
+
+
+def test_the_command_takes_the_truck_too(server, tmp_path, capsys):
+    file = tmp_path / "verona.platoon"
+    words = ["download", BOX, "-o", str(file), "--cache", str(tmp_path / "cache")]
+    words += ["--overpass-url", f"{server.url}/api", "--classes", ",".join(ROADS)]
+    assert main([*words, "--country", "IT", "--limiter", "85"]) == 0
+    assert "OpenStreetMap contributors" in capsys.readouterr().out
+    assert open_network(file).speed_mps.max() * 3.6 == pytest.approx(80)
+    assert main([*words, "--country", "XX"]) == 2
+    assert "country 'XX' has no truck limit here" in capsys.readouterr().err
 
 
 def to_classes(net):

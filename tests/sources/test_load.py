@@ -109,27 +109,39 @@ def test_an_extract_without_ramps_is_said_to_be_one(tmp_path):
     net = load_network(write(tmp_path, CROSSING, CROSSING_WAYS))
     report = net.report()
     assert report["carriageways that end without going on"] == 2
-    (remark,) = report.remarks
+    remark = report.remarks[-1]
     assert "only 0% of the carriageway-km hang together" in remark
     assert "--infer-links" in remark
 
 
 def test_an_extract_with_ramps_is_not_said_to_lack_them(tmp_path):
     ways = {10: ([1, 2], MOTORWAY), 11: ([3, 4], {**MOTORWAY, "highway": "motorway_link"})}
-    (remark,) = load_network(write(tmp_path, CROSSING, ways)).report().remarks
+    remark = load_network(write(tmp_path, CROSSING, ways)).report().remarks[-1]
     assert "a small piece of the network" in remark
     assert "without their ramps" not in remark
 
 
-def test_a_connected_extract_gets_no_remark(tmp_path):
-    ways = {10: ([1, 2, 3], {**MOTORWAY, "oneway": "no"})}
-    assert load_network(write(tmp_path, row(3), ways)).report().remarks == ()
+def test_a_connected_extract_gets_no_remark_but_what_capped_the_speeds(tmp_path):
+    path = write(tmp_path, row(3), {10: ([1, 2, 3], {**MOTORWAY, "oneway": "no"})})
+    (remark,) = load_network(path).report().remarks
+    assert "a limiter of 90 km/h and no national limit, as no country was given" in remark
+    (remark,) = load_network(path, country="DE", limiter_kmh=85).report().remarks
+    assert "a limiter of 85 km/h and the truck limit of DE" in remark
+
+
+def test_a_saved_network_says_that_it_keeps_its_own_options(tmp_path):
+    path = write(tmp_path, row(3), {10: ([1, 2, 3], {**MOTORWAY, "oneway": "no"})})
+    load_network(path).save(tmp_path / "a.platoon")
+    for options in ({"country": "DE"}, {"limiter_kmh": 60}, {"classes": ("trunk",)}):
+        again = load_network(tmp_path / "a.platoon", **options)
+        assert "opened as it was saved" in again.report().remarks[-1]
+        assert again.m == 2
 
 
 def test_the_remark_is_made_once_also_through_the_saved_form(tmp_path):
     load_network(write(tmp_path, CROSSING, CROSSING_WAYS)).save(tmp_path / "a.platoon")
     again = load_network(tmp_path / "a.platoon")
-    assert len(again.report().remarks) == 1
+    assert len(again.report().remarks) == 2
     assert again.report()["carriageways that end without going on"] == 2
 
 
@@ -138,7 +150,7 @@ def test_links_are_inferred_on_demand_and_only_once(tmp_path):
     assert not load_network(path).inferred.any()
     joined = load_network(path, infer_links=True)
     assert joined.inferred.any()
-    assert "were inferred, not mapped" in joined.report().remarks[0]
+    assert "were inferred, not mapped" in joined.report().remarks[1]
     joined.save(tmp_path / "joined.platoon")
     assert load_network(tmp_path / "joined.platoon", infer_links=True).m == joined.m
 

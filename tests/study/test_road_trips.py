@@ -54,6 +54,27 @@ def test_trips_by_flows_are_drawn_by_volume(italy, flows_file):
     assert sum(draw.impossible for draw in draws) > 0
 
 
+def test_flows_of_places_far_away_are_left_out_and_counted(italy, flows_file):
+    segments = flows_file.with_name("segments.csv")
+    segments.write_text(segments.read_text() + "5,1,13.40,52.52,1,1,1\n6,5,8.68,50.11,1,1,1\n")
+    flows_file.write_text(flows_file.read_text() + "5,1,300\n4,6,40\n6,5,2\n")
+    flows = read_flows(flows_file, italy)
+    assert len(flows.volume) == 3
+    assert flows.left_out == 300 + 40 + 2 + 5 + 7
+    trips = RoadTrips(italy, flows=flows)
+    assert trips.to_dict()["flow_volume_left_out"] == 354
+    flows_file.write_text("origin,destination,volume\n5,6,300\n")
+    with pytest.raises(MapDataError, match="within 50 km of italy-motorways; give flows of its"):
+        read_flows(flows_file, italy)
+
+
+def test_places_off_the_globe_are_refused(italy, flows_file):
+    segments = flows_file.with_name("segments.csv")
+    segments.write_text(segments.read_text() + "5,1,1340,52.52,1,1,1\n")
+    with pytest.raises(MapDataError, match=r"segments.csv: line 6: 1340, 52.52 is no longitude"):
+        read_flows(flows_file, italy)
+
+
 def test_the_study_runs_on_it_and_repeats(italy):
     study = Study(
         network=RoadTrips(italy, vehicles=4, min_route_m=3e5), runs=2, tau=(0.0, 1.0), xi=(0.18,)
@@ -72,6 +93,7 @@ def test_the_command_on_a_real_network(tmp_path, flows_file, capsys):
     assert status == 0
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "italy-motorways, 200 km, by flows" in page
+    assert "Roads: map: platoon_osm, compiled by hand from public facts, MIT." in page
     assert "report.html" in capsys.readouterr().out
 
 
@@ -82,6 +104,8 @@ def test_the_command_on_a_real_network(tmp_path, flows_file, capsys):
         ("origin,destination,volume\n1,4,many\n", "many"),
         ("origin,destination,volume\n1,4,-3\n", "below 0"),
         ("origin,destination,volume\n8,9,3\n", "no flow"),
+        ("origin,destination,volume\n1,4,1000\n2,4", "line 3 has another number of fields"),
+        ("origin,destination,volume\n1,4,1000,5\n", "line 2 has another number of fields"),
         ("", "no column"),
     ],
 )
