@@ -21,8 +21,9 @@ from .pair import plan_pair
 from .plans import JointPlan, VehiclePlan
 from .records import Journey, identity_of, vehicle_plan
 from .routes import AstarRouter, DijkstraRouter, Method, Router
+from .schedule import with_times
 from .system import choose_for_system
-from .trips import Trip
+from .trips import Trip, check_one_clock
 
 __all__ = ["Objective", "plan_joint"]
 
@@ -46,7 +47,7 @@ def plan_joint(
     method: Method = "dijkstra",
     master: str | None = None,
 ) -> JointPlan:
-    """Plan who merges where with whom, and what it saves.
+    """Plan who merges where with whom, what it saves and, if trips name times, when.
 
     Parameters
     ----------
@@ -63,7 +64,7 @@ def plan_joint(
     ------
     ScenarioError
         Unknown case, objective, method or master; D for other than two vehicles; a trip that ends
-        where it starts.
+        where it starts; times with and without a zone.
     NoRouteError
         A trip without any route.
     """
@@ -82,7 +83,7 @@ def plan_joint(
         # Of equally good cases the earlier one is simpler.
         if plan.joint_cost < best.joint_cost * (1 - 1e-9):
             best = plan
-    return best
+    return with_times(best, trips)
 
 
 def _check(case: str, objective: str, method: str, trips: Sequence[Trip]) -> None:
@@ -101,6 +102,7 @@ def _check(case: str, objective: str, method: str, trips: Sequence[Trip]) -> Non
         )
     if case == "D" and method == "astar":
         raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
+    check_one_clock(trips)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,15 +6,24 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from ..display import offered
 from ..errors import ScenarioError
 from ..whole_file import whole_file
+from .timetable import Timetable, VehicleTimes
+
+if TYPE_CHECKING:
+    import folium
+
+    from ..network.road_network import RoadNetwork
 
 __all__ = ["PLAN_VERSION", "JointPlan", "Leg", "NetworkIdentity", "PlatoonPoint", "Stop",
            "VehiclePlan"]  # fmt: skip
 
-PLAN_VERSION = 1
+PLAN_VERSION = 2
+OLDER_VERSIONS = (1,)
+"""Version 1 had no timetable."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +174,7 @@ class JointPlan:
     proof : how good the plan is known to be: `kind` "exact" with its conditions, or `bound`, `gap`.
     remarks : what a reader should know.
     version : of the package that made it.
+    timetable : when each vehicle is where; None if no trip named a time.
     """
 
     vehicles: tuple[VehiclePlan, ...]
@@ -179,6 +189,12 @@ class JointPlan:
     remarks: tuple[str, ...] = ()
     version: str = ""
     plan_version: int = field(default=PLAN_VERSION)
+    timetable: Timetable | None = None
+
+    @property
+    def times(self) -> tuple[VehicleTimes | None, ...]:
+        """The times of each vehicle, all None if the plan has no timetable."""
+        return self.timetable.vehicles if self.timetable else (None,) * len(self.vehicles)
 
     @property
     def solo_cost(self) -> float:
@@ -211,6 +227,20 @@ class JointPlan:
 
         return summary(self)
 
+    def explore(self, net: RoadNetwork, **options: Any) -> folium.Map:
+        """Return the plan's map and figures for a notebook; as `platoon_osm.explore`.
+
+        Parameters
+        ----------
+        net : the network the plan was made on.
+        options : such as `height`, `title`, `tiles`.
+        """
+        return offered("explore")(self, net, **options)  # type: ignore[no-any-return]
+
+    def _repr_html_(self) -> str:
+        """Return the table that a notebook shows of the plan."""
+        return offered("table")(self)  # type: ignore[no-any-return]
+
     def to_dict(self) -> dict[str, Any]:
         """Return plain JSON types; `from_dict` gives the plan back."""
         return json.loads(json.dumps(asdict(self)))  # type: ignore[no-any-return]
@@ -225,21 +255,33 @@ class JointPlan:
             Another version of the format, or not a plan at all.
         """
         found = data.get("plan_version") if isinstance(data, Mapping) else None
-        if found != PLAN_VERSION:
+        if isinstance(found, bool) or found not in (*OLDER_VERSIONS, PLAN_VERSION):
             raise ScenarioError(
-                f"plan: format version {found!r}, this version reads {PLAN_VERSION}; plan again"
+                f"plan: format version {found!r}, this version reads up to {PLAN_VERSION}; "
+                "plan again"
             )
+        times = data.get("timetable")
         try:
-            return cls(
+            plan = cls(
                 **{
                     **data,
                     "vehicles": tuple(_vehicle(item) for item in data["vehicles"]),
                     "network": NetworkIdentity(**data["network"]),
                     "remarks": tuple(data["remarks"]),
+                    "plan_version": PLAN_VERSION,
+                    "timetable": None if times is None else Timetable.from_dict(times),
                 }
             )
-        except (KeyError, TypeError) as error:
+            plan.check_timetable()
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
             raise ScenarioError(f"plan: {error} does not fit; it is damaged, plan again") from error
+        return plan
+
+    def check_timetable(self) -> None:
+        """Raise `ScenarioError` if there are times that belong to other vehicles or legs."""
+        own = [(vehicle.vehicle, len(vehicle.legs)) for vehicle in self.vehicles]
+        if self.timetable and own != [(t.vehicle, len(t.legs)) for t in self.timetable.vehicles]:
+            raise ScenarioError("plan: its timetable is that of other vehicles; plan again")
 
     def write_json(self, path: str | os.PathLike[str]) -> None:
         """Write the plan as JSON, whole or not at all."""

@@ -8,6 +8,7 @@ import os
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -16,23 +17,25 @@ from ..errors import PlatoonError, ScenarioError
 from ..network.road_network import RoadNetwork
 from .joint import plan_joint
 from .plans import JointPlan
-from .trips import Trip
+from .trips import TIMES, Trip, check_one_clock
 
 __all__ = ["Scenario", "ScenarioTrip", "read_scenario"]
 
 NETWORK_KEYS = ("source", "classes", "country", "limiter_kmh", "infer_links")
 TOP_KEYS = ("title", "network", "case", "objective", "method", "master", "costs", "trips")
 TRIP_KEYS = ("vehicle", "origin", "destination")
+ALL_TRIP_KEYS = (*TRIP_KEYS, *TIMES)
 COST_KEYS = ("preset", *PaperCosts.__slots__)
 
 
 @dataclass(frozen=True, slots=True)
 class ScenarioTrip:
-    """A trip as written: places are names or (lon, lat), not yet nodes."""
+    """A trip as written: places are names or (lon, lat), not yet nodes; times as in `Trip`."""
 
     vehicle: str
     origin: str | tuple[float, float]
     destination: str | tuple[float, float]
+    times: Mapping[str, datetime] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +68,7 @@ class Scenario:
                 trip.vehicle,
                 self._locate(net, trip, "origin"),
                 self._locate(net, trip, "destination"),
+                **trip.times,
             )
             for trip in self.trips
         ]
@@ -160,13 +164,19 @@ def _trips(file: Path, data: Any) -> tuple[ScenarioTrip, ...]:
         rows = [(f"trip {number}", row) for number, row in enumerate(data, 1)]
     else:
         raise ScenarioError(f"{file}: no trips; add [[trips]] with vehicle, origin, destination")
-    return tuple(_trip(file, where, row) for where, row in rows)
+    trips = tuple(_trip(file, where, row) for where, row in rows)
+    try:
+        # The rules of times are those of trips, whose places are not looked for yet.
+        check_one_clock([Trip(trip.vehicle, 0, 1, **trip.times) for trip in trips])
+    except ScenarioError as error:
+        raise ScenarioError(f"{file}: {error}") from error
+    return trips
 
 
 def _trip(file: Path, where: str, row: Any) -> ScenarioTrip:
     if not isinstance(row, Mapping):
         raise ScenarioError(f"{file}: {where} must be a table with {', '.join(TRIP_KEYS)}")
-    _known(file, where, row, TRIP_KEYS)
+    _known(file, where, row, ALL_TRIP_KEYS)
     for key in TRIP_KEYS:
         if key not in row:
             raise ScenarioError(f"{file}: {where} has no {key}")
@@ -174,7 +184,23 @@ def _trip(file: Path, where: str, row: Any) -> ScenarioTrip:
         _text(file, f"{where}: vehicle", row["vehicle"]),
         _place(file, where, "origin", row["origin"]),
         _place(file, where, "destination", row["destination"]),
+        {key: _time(file, f"{where}: {key}", row[key]) for key in TIMES if key in row},
     )
+
+
+def _time(file: Path, where: str, value: Any) -> datetime:
+    """Return a time of TOML as it is, one of CSV from its text."""
+    try:
+        # A day alone would be read as its midnight.
+        found = datetime.fromisoformat(value) if isinstance(value, str) and ":" in value else value
+    except ValueError:
+        found = value
+    if not isinstance(found, datetime):
+        text = value if isinstance(value, str) else str(value)
+        raise ScenarioError(
+            f"{file}: {where} = {text} must be a day and a time, such as 2026-03-02T06:00:00"
+        )
+    return found
 
 
 def _place(file: Path, where: str, key: str, value: Any) -> str | tuple[float, float]:
@@ -191,7 +217,7 @@ def _place(file: Path, where: str, key: str, value: Any) -> str | tuple[float, f
 
 
 def _csv_rows(file: Path, table: Path) -> list[tuple[str, dict[str, Any]]]:
-    """Read trips from CSV: vehicle, origin, destination; places as names or "lon lat"."""
+    """Read trips from CSV: vehicle, origin, destination, times; places as names or "lon lat"."""
     try:
         # Spreadsheets write a byte order mark, which is no part of the first key.
         with table.open(encoding="utf-8-sig", newline="") as handle:
@@ -200,17 +226,21 @@ def _csv_rows(file: Path, table: Path) -> list[tuple[str, dict[str, Any]]]:
         raise ScenarioError(f"{file}: trips file {table} cannot be read ({error})") from error
     if not rows:
         raise ScenarioError(f"{file}: trips file {table} has no rows under its header")
-    return [
-        (
-            f"{table.name} line {number}",
-            {
-                # Cells beyond the header's come under the key None.
-                key or "a cell beyond the header": value if key == "vehicle" else _maybe_pair(value)
-                for key, value in row.items()
-            },
-        )
-        for number, row in enumerate(rows, 2)
-    ]
+    return [(f"{table.name} line {number}", _csv_trip(row)) for number, row in enumerate(rows, 2)]
+
+
+def _csv_trip(row: Mapping[str | None, Any]) -> dict[str, Any]:
+    trip: dict[str, Any] = {}
+    for key, value in row.items():
+        if key in TIMES:
+            # A trip may leave its times open.
+            if value and value.strip():
+                trip[key] = value.strip()
+        else:
+            # Cells beyond the header's come under the key None.
+            name = key or "a cell beyond the header"
+            trip[name] = value if key == "vehicle" else _maybe_pair(value)
+    return trip
 
 
 def _maybe_pair(text: Any) -> Any:

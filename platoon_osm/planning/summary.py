@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from .clock import duration
 from .plans import JointPlan, VehiclePlan
+from .timetable import Timetable, VehicleTimes
 
 __all__ = ["kilometre_equivalents", "summary"]
 
@@ -16,16 +18,25 @@ CASE_TITLES = {
 
 def summary(plan: JointPlan) -> str:
     """Return the plan as text: one row a vehicle, then totals, points and what is proved."""
-    header = ("vehicle", "from", "to", "role", "alone", "joint", "saving", "platoon")
-    rows = [_row(plan, vehicle) for vehicle in plan.vehicles]
-    total = (
+    header: tuple[str, ...] = (
+        "vehicle", "from", "to", "role", "alone", "joint", "saving", "platoon",
+    )  # fmt: skip
+    rows: list[tuple[str, ...]] = [_row(plan, vehicle) for vehicle in plan.vehicles]
+    total: tuple[str, ...] = (
         "total", "", "", "", kilometre_equivalents(plan, plan.solo_cost),
         kilometre_equivalents(plan, plan.joint_cost), f"{plan.saving:.1%}",
         f"{plan.platoon_m / 1000:,.0f} km",
     )  # fmt: skip
+    if (timetable := plan.timetable) is not None:
+        header += ("leaves", "arrives", "waits")
+        rows = [
+            row + _times(timetable, times)
+            for row, times in zip(rows, timetable.vehicles, strict=True)
+        ]
+        total += ("", "", duration(timetable.waiting_s))
     table = [header, *rows, total]
     width = [max(len(row[k]) for row in table) for k in range(len(header))]
-    right = {4, 5, 6, 7}
+    right = {4, 5, 6, 7, 10}
 
     def line(row: tuple[str, ...]) -> str:
         cells = (
@@ -40,7 +51,11 @@ def summary(plan: JointPlan) -> str:
         f"Case {plan.case}: {CASE_TITLES[plan.case]}; costs in {unit}", "",
         line(header), rule, *(line(row) for row in rows), rule, line(total), "",
     ]  # fmt: skip
-    lines += [text for vehicle in plan.vehicles for text in _events(vehicle)]
+    if timetable is not None:
+        day = timetable.clock.start.date().isoformat()
+        lines.append(f"Times are of {day}, {timetable.clock.zone}.")
+    for vehicle, times in zip(plan.vehicles, plan.times, strict=True):
+        lines += _events(vehicle, timetable, times)
     lines.append(_proof(plan))
     lines += [f"Note: {remark}" for remark in plan.remarks]
     return "\n".join(lines)
@@ -60,14 +75,29 @@ def _row(plan: JointPlan, vehicle: VehiclePlan) -> tuple[str, ...]:
     )  # fmt: skip
 
 
-def _events(vehicle: VehiclePlan) -> list[str]:
+def _times(timetable: Timetable, times: VehicleTimes) -> tuple[str, ...]:
+    leaves, arrives = (timetable.clock.text(at) for at in (times.departure_s, times.arrival_s))
+    return leaves, arrives, duration(times.waiting_s)
+
+
+def _events(
+    vehicle: VehiclePlan, timetable: Timetable | None, times: VehicleTimes | None
+) -> list[str]:
     if vehicle.merge is not None and vehicle.separation is not None:
         # Those it meets there; others may join later, and their own line says where.
-        partners = next(leg.partners for leg in vehicle.legs if leg.role == "platoon")
+        places = [k for k, leg in enumerate(vehicle.legs) if leg.role == "platoon"]
+        partners = vehicle.legs[places[0]].partners
+        merges = separates = ""
+        if timetable is not None and times is not None:
+            clock = timetable.clock
+            merges = f", {clock.text(times.legs[places[0]][0])}"
+            separates = f", {clock.text(times.legs[places[-1]][1])}"
+            if times.waits[places[0]] >= 30:
+                merges += f" after waiting {duration(times.waits[places[0]])}"
         return [
             f"{vehicle.vehicle} merges with {' and '.join(partners)} at {vehicle.merge.name} "
-            f"(its km {vehicle.merge.km:,.0f}), separates at {vehicle.separation.name} "
-            f"(its km {vehicle.separation.km:,.0f})"
+            f"(its km {vehicle.merge.km:,.0f}{merges}), separates at {vehicle.separation.name} "
+            f"(its km {vehicle.separation.km:,.0f}{separates})"
         ]
     return [f"{vehicle.vehicle} stays alone: {vehicle.reason}"] if vehicle.role == "alone" else []
 

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+from datetime import datetime, timedelta
 
 import pytest
 from random_networks import network
@@ -58,10 +59,16 @@ def test_names_with_accents_survive(tmp_path):
     assert "Žiga ü" in (tmp_path / "plan.json").read_bytes().decode("utf-8")
 
 
-@pytest.mark.parametrize("version", [0, 2, None, "1"])
+@pytest.mark.parametrize("version", [0, 3, None, "1", True, [1]])
 def test_another_version_is_refused(plan, version):
-    with pytest.raises(ScenarioError, match=r"this version reads 1; plan again$"):
+    with pytest.raises(ScenarioError, match=r"this version reads up to 2; plan again$"):
         JointPlan.from_dict({**plan.to_dict(), "plan_version": version})
+
+
+def test_a_plan_of_version_1_is_read_without_times(plan):
+    data = plan.to_dict()
+    del data["timetable"]
+    assert JointPlan.from_dict({**data, "plan_version": 1}) == plan
 
 
 @pytest.mark.parametrize("data", [[], None, "plan", {}])
@@ -73,7 +80,8 @@ def test_something_else_is_refused(data):
 @pytest.mark.parametrize(
     "damage",
     [{"vehicles": None}, {"vehicles": [{}]}, {"vehicles": [1]}, {"network": {}}, {"colour": "red"},
-     {"remarks": None}],
+     {"remarks": None}, {"vehicles": "AB"}, {"timetable": []}, {"timetable": {}},
+     {"timetable": {"start": "2026-03-02T06:00:00", "feasible": True, "vehicles": [{}]}}],
 )  # fmt: skip
 def test_a_damaged_plan_is_refused(plan, damage):
     with pytest.raises(ScenarioError, match="damaged, plan again") as error:
@@ -86,6 +94,61 @@ def test_a_plan_with_a_part_missing_is_refused(plan):
     del data["vehicles"]
     with pytest.raises(ScenarioError, match="'vehicles' does not fit"):
         JointPlan.from_dict(data)
+
+
+# -- times -----------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def timed():
+    """As `plan`, but A leaves at six, and B has to leave at once and waits for it."""
+    net = network([0, 1, 2, 2, 4], [1, 2, 3, 5, 1], [10e3] * 5)
+    six = datetime(2026, 3, 2, 6)
+    trips = [Trip("A", 0, 3, six), Trip("B", 4, 5, None, six - timedelta(minutes=5))]
+    return plan_joint(net, paper_weights(net), trips, "C", master="A")
+
+
+def test_times_survive_a_file(timed, tmp_path):
+    timed.write_json(tmp_path / "plan.json")
+    data = json.loads((tmp_path / "plan.json").read_text(encoding="utf-8"))
+    assert JointPlan.from_dict(data) == timed
+    assert data["timetable"]["start"] == "2026-03-02T05:55:00"
+    assert data["timetable"]["feasible"] is True
+    assert timed.times == timed.timetable.vehicles
+
+
+@pytest.mark.parametrize(
+    ("damage", "said"),
+    [
+        ({"start": "yesterday"}, "start 'yesterday' is no ISO 8601 moment"),
+        ({"start": None}, "start None is no ISO 8601 moment"),
+        ({"start": "9999-12-31T23:50:00"}, "beyond the calendar"),
+        ({"feasible": False}, "feasible does not fit"),
+        ({"feasible": 1}, "feasible does not fit"),
+        ({"vehicles": []}, "that of other vehicles"),
+        ({"departure_s": float("nan")}, "times of 'B' must be finite numbers"),
+        ({"departure_s": "0"}, "times of 'B' must be finite numbers"),
+        ({"departure_s": True}, "times of 'B' must be finite numbers"),
+        ({"departure_s": 1e12}, "times of 'B' must be finite numbers"),
+        ({"departure_s": 5000}, "times of 'B' run backwards"),
+        ({"latest_arrival_s": float("inf")}, "times of 'B' must be finite numbers"),
+        ({"legs": []}, "times of 'B' name no legs"),
+        ({"legs": [[5000, 6000]]}, "that of other vehicles"),
+        ({"legs": [[1, 2, 3]]}, "damaged, plan again"),
+        ({"legs": 7}, "damaged, plan again"),
+        ({"vehicle": "Z"}, "that of other vehicles"),
+        ({"colour": "red"}, "damaged, plan again"),
+    ],
+)
+def test_damaged_times_are_refused(timed, damage, said):
+    data = timed.to_dict()
+    table = data["timetable"]
+    ((key, value),) = damage.items()
+    (table if key in table else table["vehicles"][1])[key] = value
+    with pytest.raises(ScenarioError, match=said) as error:
+        JointPlan.from_dict(data)
+    assert str(error.value).endswith("plan again")
+    assert "\n" not in str(error.value)
 
 
 def test_fuel_by_position_is_the_leaders_for_the_master_and_the_followers_for_members():

@@ -1,5 +1,7 @@
 """The summary that is printed: what a reader must find in it."""
 
+from datetime import datetime, timedelta
+
 import numpy as np
 import pytest
 from random_networks import network
@@ -73,3 +75,17 @@ def test_astar_says_how_far_off_it_is(road):
     text = plan_joint(*road, TRIPS, "C", method="astar").summary()
     assert "Found by the paper's inflated A*: 0.00% above the optimum" in text
     assert "its routes alone cost 0.00% above the least" in text
+
+
+def test_times_are_printed_where_a_plan_has_them(road):
+    six = datetime(2026, 3, 2, 6)
+    trips = [Trip("A", 0, 3, six), Trip("B", 4, 5, None, six - timedelta(minutes=5))]
+    text = plan_joint(*road, trips, "C", master="A").summary()
+    lines = text.splitlines()
+    assert lines[2].split()[-3:] == ["leaves", "arrives", "waits"]
+    # Each 10 km take 7 min 30 s.
+    assert lines[4].split()[-4:] == ["06:00", "06:23", "0", "min"]
+    assert lines[5].split()[-4:] == ["05:55", "06:23", "5", "min"]
+    assert "Times are of 2026-03-02, local time." in lines
+    assert "(its km 10, 06:08 after waiting 5 min), separates" in text
+    assert "(its km 20, 06:15)" in text

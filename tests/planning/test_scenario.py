@@ -1,5 +1,6 @@
 """Scenario files: what is read, and how each mistake is told."""
 
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import pytest
@@ -188,6 +189,67 @@ def test_csv_mistakes_name_the_line(tmp_path, table, message):
 def test_no_such_csv(tmp_path):
     with pytest.raises(ScenarioError, match=r"trip\.toml: trips file none\.csv cannot be read"):
         read(tmp_path, 'network = "n"\ntrips = "none.csv"\n')
+
+
+# -- times -----------------------------------------------------------------------------------------
+
+TIMED = GOOD.replace('vehicle = "B"\n', 'vehicle = "B"\nlatest_departure = 2026-03-02T06:30:00\n')
+
+
+def test_times_are_those_of_toml(tmp_path):
+    first, second = read(tmp_path, TIMED).trips
+    assert first.times == {}
+    assert second.times == {"latest_departure": datetime(2026, 3, 2, 6, 30)}
+    (zoned,) = [
+        one for one in read(tmp_path, TIMED.replace(":00\n", ":00+01:00\n")).trips if one.times
+    ]
+    assert zoned.times["latest_departure"].utcoffset() == timedelta(hours=1)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("2026-03-02T06:30:00", "06:30:00", "trip 2: latest_departure = 06:30:00 must be a day"),
+        ("2026-03-02T06:30:00", "2026-03-02", "latest_departure = 2026-03-02 must be a day and"),
+        ("2026-03-02T06:30:00", '"soon"', "latest_departure = soon must be a day and a time"),
+        ("2026-03-02T06:30:00", "[]", r"latest_departure = \[\] must be a day and a time"),
+        ("2026-03-02T06:30:00", '""', "latest_departure =  must be a day and a time"),
+        ("latest_departure", "latest_depature", "did you mean 'latest_departure'?"),
+        (
+            "latest_departure = ",
+            "earliest_departure = 2026-03-02T06:31:00\nlatest_departure = ",
+            "trip 'B': latest_departure 2026-03-02T06:30:00 is not after earliest_departure",
+        ),
+        (
+            "latest_departure = ",
+            "latest_arrival = 2026-03-02T09:31:00Z\nlatest_departure = ",
+            "give all times of a plan with their zone or none",
+        ),
+    ],
+)
+def test_wrong_times_in_one_line_with_the_file(tmp_path, old, new, message):
+    assert old in TIMED
+    with pytest.raises(ScenarioError, match=message) as error:
+        read(tmp_path, TIMED.replace(old, new))
+    assert str(error.value).startswith(f"{tmp_path / 'trip.toml'}: ")
+    assert "\n" not in str(error.value)
+
+
+def test_times_from_csv(tmp_path):
+    table = (
+        "vehicle,origin,destination,earliest_departure,latest_arrival\n"
+        "A,Torino,Monza,2026-03-02 06:00,\nB,Torino,Monza,,2026-03-02T09:00:00\n"
+    )
+    first, second = read_csv(tmp_path, table)
+    assert first.times == {"earliest_departure": datetime(2026, 3, 2, 6)}
+    assert second.times == {"latest_arrival": datetime(2026, 3, 2, 9)}
+
+
+@pytest.mark.parametrize("text", ["06:00", "2026-03-02", "2 March 2026, 06:00", "2026-02-30T06:00"])
+def test_wrong_times_in_csv_name_the_line(tmp_path, text):
+    table = f'vehicle,origin,destination,earliest_departure\nA,Torino,Monza,"{text}"\n'
+    with pytest.raises(ScenarioError, match=f"line 2: earliest_departure = {text} must be a day"):
+        read_csv(tmp_path, table)
 
 
 # -- planning one --------------------------------------------------------------------------------

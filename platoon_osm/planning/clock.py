@@ -1,0 +1,92 @@
+"""The clock of a plan: seconds from its start, and the times of day that people read."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta, timezone
+
+from ..errors import ScenarioError
+
+__all__ = ["Clock", "duration"]
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """Times of day from seconds.
+
+    Attributes
+    ----------
+    start : when the seconds begin, with a fixed offset from UTC or without any zone.
+    """
+
+    start: datetime
+
+    @classmethod
+    def from_text(cls, start: str) -> Clock:
+        """Return the clock that starts at an ISO 8601 moment.
+
+        Raises
+        ------
+        ScenarioError
+            Not such a moment.
+        """
+        try:
+            return cls(datetime.fromisoformat(start))
+        except (TypeError, ValueError):
+            raise ScenarioError(
+                f"plan: start {start!r} is no ISO 8601 moment; plan again"
+            ) from None
+
+    @classmethod
+    def at(cls, moment: datetime) -> Clock:
+        """Return the clock that starts at a moment.
+
+        Its offset from UTC stays that of the moment: no hour is lost or read twice where clocks
+        change on the way.
+        """
+        offset = moment.utcoffset()
+        return cls(moment if offset is None else moment.astimezone(timezone(offset)))
+
+    def seconds(self, moment: datetime) -> float:
+        """Return how long after the start a moment is [s]."""
+        if self.start.utcoffset() is not None:
+            # Moments of one zone are subtracted by the face of the clock unless both are in UTC.
+            return (moment.astimezone(UTC) - self.start.astimezone(UTC)).total_seconds()
+        return (moment - self.start).total_seconds()
+
+    def moment(self, seconds: float) -> datetime:
+        """Return the moment so many seconds after the start."""
+        return self.start + timedelta(seconds=seconds)
+
+    @property
+    def zone(self) -> str:
+        """The zone of all times, "local time" if none was named."""
+        offset = self.start.utcoffset()
+        if offset is None:
+            return "local time"
+        return "UTC" if not offset else f"UTC{self.start.isoformat()[-6:]}"
+
+    @property
+    def since_midnight_s(self) -> float:
+        """Seconds from midnight to the start."""
+        midnight = self.start.replace(hour=0, minute=0, second=0, microsecond=0)
+        return (self.start - midnight).total_seconds()
+
+    def text(self, seconds: float) -> str:
+        """Return the time to the minute: "08:21", "00:10 +1 d" a day later."""
+        # Halves go up, as in the script of the page.
+        minutes = math.floor((self.since_midnight_s + seconds) / 60 + 0.5)
+        days, minute = divmod(minutes, 24 * 60)
+        return f"{minute // 60:02d}:{minute % 60:02d}" + (f" {days:+d} d" if days else "")
+
+    def iso(self, seconds: float) -> str:
+        """Return the moment to the second in ISO 8601."""
+        return self.moment(round(seconds)).isoformat(timespec="seconds")
+
+
+def duration(seconds: float) -> str:
+    """Return a time span to the minute: "24 min", "1 h 05 min"."""
+    minutes = math.floor(seconds / 60 + 0.5)
+    hours, rest = divmod(minutes, 60)
+    return f"{hours} h {rest:02d} min" if hours else f"{rest} min"

@@ -1,0 +1,135 @@
+"""When each vehicle of a plan is where: immutable records in seconds from one start."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import ScenarioError
+from .clock import Clock
+
+__all__ = ["LATE_S", "Timetable", "VehicleTimes"]
+
+LATE_S = 0.01
+"""Less than this is neither lateness nor waiting, but the last digits of a sum [s]."""
+
+Span = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleTimes:
+    """One vehicle's times, all in seconds from the start of the timetable.
+
+    Attributes
+    ----------
+    vehicle : its name.
+    departure_s : when it leaves its origin.
+    legs : start and end of each leg of its joint route. Between the end of one and the start of
+        the next it waits for others; before the first it waits if it has to leave its origin but
+        merges right there.
+    earliest_departure_s, latest_departure_s, latest_arrival_s : what its trip asked for, or None.
+    """
+
+    vehicle: str
+    departure_s: float
+    legs: tuple[Span, ...]
+    earliest_departure_s: float | None = None
+    latest_departure_s: float | None = None
+    latest_arrival_s: float | None = None
+
+    def __post_init__(self) -> None:
+        where = f"plan: times of {self.vehicle!r}"
+        if not self.legs:
+            raise ScenarioError(f"{where} name no legs; plan again")
+        asked = (self.earliest_departure_s, self.latest_departure_s, self.latest_arrival_s)
+        moments = (self.departure_s, *(at for span in self.legs for at in span))
+        if not all(map(_is_moment, (*moments, *(at for at in asked if at is not None)))):
+            raise ScenarioError(f"{where} must be finite numbers of seconds; plan again")
+        if list(moments) != sorted(moments):
+            raise ScenarioError(f"{where} run backwards; plan again")
+
+    @property
+    def arrival_s(self) -> float:
+        """When it reaches its destination."""
+        return self.legs[-1][1]
+
+    @property
+    def waits(self) -> tuple[float, ...]:
+        """How long it waits on the road before each leg [s]."""
+        ends = (self.departure_s, *(end for _, end in self.legs[:-1]))
+        gaps = (start - end for (start, _), end in zip(self.legs, ends, strict=True))
+        return tuple(gap if gap > LATE_S else 0.0 for gap in gaps)
+
+    @property
+    def waiting_s(self) -> float:
+        """How long it waits on the road in all."""
+        return sum(self.waits)
+
+    @property
+    def held_s(self) -> float:
+        """How long after its earliest departure it leaves; 0 if it named none."""
+        return 0.0 if self.earliest_departure_s is None else (
+            self.departure_s - self.earliest_departure_s
+        )  # fmt: skip
+
+    @property
+    def late_s(self) -> float:
+        """How long after its latest arrival it arrives; 0 if it is in time or named none."""
+        late = 0.0 if self.latest_arrival_s is None else self.arrival_s - self.latest_arrival_s
+        return late if late > LATE_S else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Timetable:
+    """When each vehicle of a plan is where.
+
+    Attributes
+    ----------
+    start : ISO 8601 moment from which all seconds count, with an offset from UTC or without a
+        zone, as the trips were.
+    feasible : whether all arrive in time.
+    vehicles : in the order of the plan's.
+    """
+
+    start: str
+    feasible: bool
+    vehicles: tuple[VehicleTimes, ...]
+
+    def __post_init__(self) -> None:
+        clock = Clock.from_text(self.start)
+        try:
+            for times in self.vehicles:
+                clock.moment(times.departure_s - 60)
+                clock.moment(times.arrival_s + 60)
+        except OverflowError:
+            raise ScenarioError("plan: its times lie beyond the calendar; plan again") from None
+        if self.feasible is not (not any(times.late_s for times in self.vehicles)):
+            raise ScenarioError("plan: feasible does not fit the arrival times; plan again")
+
+    @property
+    def clock(self) -> Clock:
+        """What turns seconds into times of day."""
+        return Clock.from_text(self.start)
+
+    @property
+    def waiting_s(self) -> float:
+        """How long all vehicles together wait on the road."""
+        return sum(times.waiting_s for times in self.vehicles)
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Timetable:
+        """Rebuild a timetable from plain JSON types."""
+        vehicles = (
+            VehicleTimes(**{**item, "legs": tuple((start, end) for start, end in item["legs"])})
+            for item in data["vehicles"]
+        )
+        return cls(**{**data, "vehicles": tuple(vehicles)})
+
+
+def _is_moment(value: Any) -> bool:
+    return (
+        isinstance(value, int | float) and not isinstance(value, bool)
+        and math.isfinite(value) and abs(value) < 1e10
+    )  # fmt: skip
