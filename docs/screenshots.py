@@ -18,8 +18,8 @@ import platoon_osm
 from platoon_osm.planning.scenario import Scenario, read_scenario
 
 CHROMIUM = Path("/usr/bin/chromium")
-CORRIDOR_KM = 250
-"""Where the pictures stop the vehicles: all three in the platoon."""
+MINUTE = 220
+"""When the pictures stop the vehicles, from the first departure: all three in the platoon."""
 
 MASTERS = (
     ("Torino", "Trieste"), ("Milano", "Napoli"), ("Bologna", "Bari"), ("Genova", "Udine"),
@@ -102,8 +102,8 @@ def take_pictures(out: Path, images: Path) -> None:
             ("demo.png", 1440, 900), ("demo-900.png", 900, 1100), ("demo-390.png", 390, 844),
         ):  # fmt: skip
             page = opened("demo.html", width, height)
-            slider = page.get_by_role("slider", name="Distance driven")
-            slider.fill(str(CORRIDOR_KM))
+            slider = page.get_by_role("slider", name="Time of day")
+            slider.fill(str(MINUTE))
             slider.blur()
             page.wait_for_timeout(200)
             page.screenshot(path=images / name)

@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ._version import __version__
+from .display import offer
 
 if TYPE_CHECKING:
     from .costs.fatigue import FatigueModel
@@ -126,3 +127,8 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     return __all__
+
+
+# Plans show themselves through these; nothing is loaded before one does.
+offer("explore", lambda: __getattr__("explore"))
+offer("table", lambda: import_module(".report.notebook", __name__).plan_table)

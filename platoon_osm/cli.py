@@ -5,7 +5,9 @@ from __future__ import annotations
 import argparse
 import logging
 import os
+import signal
 import sys
+import threading
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib import resources
@@ -52,8 +54,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     logging.basicConfig(format="%(levelname)s %(name)s: %(message)s", level=logging.WARNING)
     options = _parser().parse_args(arguments)
     try:
-        options.run(options)
-        sys.stdout.flush()
+        with _ended_as_interrupted():
+            options.run(options)
+            sys.stdout.flush()
     except PlatoonError as error:
         return _refuse(str(error))
     except BrokenPipeError:
@@ -65,6 +68,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _refuse("interrupted; nothing was left half written")
     return 0
+
+
+@contextmanager
+def _ended_as_interrupted() -> Iterator[None]:
+    """Treat a request to end, as `timeout` and schedulers send it, like Ctrl-C: clean up first."""
+    if threading.current_thread() is not threading.main_thread():
+        yield  # only there may a handler be set
+        return
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _refuse(message: str) -> int:
@@ -110,6 +126,7 @@ def _parser() -> argparse.ArgumentParser:
     download.add_argument("--classes", default="motorway,motorway_link", help="highway values")
     download.add_argument("--cache", type=Path, default=Path("cache"), help="folder of answers")
     download.add_argument("--overpass-url", help="another Overpass server")
+    _add_truck_options(download)
     download.set_defaults(run=_download)
 
     plan = verbs.add_parser("plan", help="plan a scenario (TOML) and write its map and tables")
@@ -152,14 +169,18 @@ def _add_network_options(parser: argparse.ArgumentParser) -> None:
         "--classes", default="motorway,motorway_link",
         help="highway values to load, with commas (default motorway,motorway_link)",
     )  # fmt: skip
-    parser.add_argument("--country", help="whose truck speed limit applies: IT, DE, US-CA, ...")
-    parser.add_argument(
-        "--limiter", type=float, default=90.0, help="speed limiter of the trucks [km/h]"
-    )
+    _add_truck_options(parser)
     parser.add_argument(
         "--infer-links", action="store_true",
         help="add likely connectors where the map lacks ramps; they are marked inferred",
     )  # fmt: skip
+
+
+def _add_truck_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--country", help="whose truck speed limit applies: IT, DE, US-CA, ...")
+    parser.add_argument(
+        "--limiter", type=float, default=90.0, help="speed limiter of the trucks [km/h]"
+    )
 
 
 def _load_options(options: argparse.Namespace) -> dict[str, Any]:
@@ -258,12 +279,14 @@ def _prepare(options: argparse.Namespace) -> None:
 
 def _download(options: argparse.Namespace) -> None:
     from .sources.download import download
+    from .sources.truck import TruckRules
 
+    rules = TruckRules(options.country, options.limiter)
     with _steps(1) as begin:
         begin(f"asking Overpass for {options.place}")
         path = download(
             options.place, options.output, classes=_classes(options.classes),
-            cache_dir=options.cache, overpass_url=options.overpass_url,
+            cache_dir=options.cache, overpass_url=options.overpass_url, rules=rules,
         )  # fmt: skip
     _say(f"Saved: {path} (© OpenStreetMap contributors, ODbL)")
 
@@ -380,7 +403,7 @@ def _warmup(options: argparse.Namespace) -> None:
         seconds = warm_up()
         for path in options.networks:
             step(f"preparing {path.name}")
-            prepare(open_network(path))
+            prepare(open_network(path, verify=True))
     _say(f"The fast engine is ready ({seconds:.1f} s).")
 
 

@@ -9,7 +9,8 @@ import pytest
 
 PACKAGE = Path(__file__).resolve().parents[1] / "platoon_osm"
 ORDER = (
-    "errors", "whole_file", "network", "sources", "costs", "planning", "study", "report", "cli",
+    "errors", "whole_file", "display", "network", "sources", "costs", "planning", "study", "report",
+    "cli",
 )  # fmt: skip
 """Each may import those to its left, and itself."""
 

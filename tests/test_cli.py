@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +12,7 @@ import pytest
 
 import platoon_osm
 from platoon_osm.cli import main
+from platoon_osm.whole_file import whole_file
 
 ROOT = Path(__file__).resolve().parents[1]
 VERBS = ("demo", "maps", "prepare", "download", "plan", "study", "compare", "warmup")
@@ -444,6 +446,19 @@ def test_control_characters_of_a_map_do_not_reach_the_terminal(capsys):
     text = CORRIDOR.format(network="italy-motorways").replace('"Belluno"', '"\\u001b[31mred\\nX"')
     Path("bad.toml").write_text(text)
     assert "\x1b" not in refused(capsys, ["plan", "bad.toml"], "red")
+
+
+def test_a_request_to_end_cleans_up_first(capsys, monkeypatch):
+    def ended(net, path):
+        with whole_file(path) as draft:
+            draft.write_text("half")
+            signal.raise_signal(signal.SIGTERM)
+
+    before = signal.getsignal(signal.SIGTERM)
+    monkeypatch.setattr("platoon_osm.network.road_network.RoadNetwork.save", ended)
+    refused(capsys, ["prepare", "italy-motorways", "-o", "a.platoon"], "interrupted")
+    assert list(Path().iterdir()) == []
+    assert signal.getsignal(signal.SIGTERM) is before
 
 
 def test_an_interrupt_is_one_line_too(capsys, monkeypatch):

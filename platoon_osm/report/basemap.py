@@ -11,7 +11,10 @@ from ..network.geodesy import metres_per_degree
 from ..network.road_network import RoadNetwork, ragged_order
 from .polyline import encode_lines, encode_polyline
 
-__all__ = ["BASEMAP_STEPS", "ROUTE_STEPS", "basemap_lines", "encoded_basemap", "encoded_route"]
+__all__ = [
+    "BASEMAP_STEPS", "ROUTE_STEPS", "basemap_lines", "encoded_basemap", "encoded_route",
+    "metre_scale",
+]  # fmt: skip
 
 BASEMAP_STEPS = 10_000
 """Steps per degree of background lines: 11 m, finer than a screen shows of a country."""
@@ -41,7 +44,7 @@ def encoded_route(net: RoadNetwork, edges: tuple[int, ...]) -> str:
     points = net.path_shape(edges)
     import shapely
 
-    scale = _scale(net)
+    scale = metre_scale(net)
     line = shapely.simplify(shapely.linestrings(points * scale), ROUTE_TOLERANCE_M)
     return encode_polyline(shapely.get_coordinates(line) / scale, ROUTE_STEPS)
 
@@ -61,7 +64,7 @@ def basemap_lines(
     if not len(single):
         return []
     points, first = ragged_order(net.shape_first, single)
-    scale = _scale(net)
+    scale = metre_scale(net)
     flat = np.column_stack([net.shape_lon[points], net.shape_lat[points]]) * scale
     owner = np.repeat(np.arange(len(single)), np.diff(first))
     lines: Any = shapely.linestrings(flat, indices=owner)
@@ -70,8 +73,8 @@ def basemap_lines(
     return [shapely.get_coordinates(line) / scale for line in simple]
 
 
-def _scale(net: RoadNetwork) -> NDArray[np.float64]:
-    """Metres per degree of longitude and latitude in the middle of the network."""
+def metre_scale(net: RoadNetwork) -> NDArray[np.float64]:
+    """Return metres per degree of longitude and latitude in the middle of the network."""
     middle = float((net.lat.min() + net.lat.max()) / 2) if net.n else 0.0
     per_lon, per_lat = metres_per_degree(middle)
     return np.array([float(per_lon), float(per_lat)])

@@ -1,4 +1,4 @@
-"""Charts of a report: the way of each vehicle by distance, and fatigue by hours of driving."""
+"""Charts of a report: the way of each vehicle by distance, and its fatigue along the day."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from .fragments import Markup, fill, join
+from .schedule_chart import hour_ticks
 
 __all__ = ["along_chart", "fatigue_chart"]
 
@@ -111,27 +112,55 @@ def _event_marks(
 
 
 def fatigue_chart(document: dict[str, Any]) -> Markup:
-    """Return fatigue by hours of driving, alone and as planned, a row for each vehicle."""
+    """Return fatigue along the day, alone and as planned, a row for each vehicle.
+
+    The day is that of the clock where the plan has times, else hours of driving.
+    """
     vehicles = document["vehicles"]
     if len(vehicles) > MOST_CURVES:
         return NOTHING
     curves = [vehicle["fatigue"] for vehicle in vehicles]
-    hours = max(curve[which]["hours"][-1] for curve in curves for which in ("alone", "joint"))
+    schedule = document["schedule"]
+    begin_s = schedule["begin_s"] if schedule else 0.0
+    leaves = [
+        (vehicle["times"]["departure_s"] - begin_s) / 3600 if schedule else 0.0
+        for vehicle in vehicles
+    ]
+    hours = max(
+        leave + curve[which]["hours"][-1]
+        for leave, curve in zip(leaves, curves, strict=True)
+        for which in ("alone", "joint")
+    )
     most = max(max(curve["alone_peak"], curve["joint_peak"]) for curve in curves)
     if hours <= 0 or most <= 0:
         return NOTHING
     per_hour, per_point = (RIGHT - 30 - LEFT) / hours, CURVE_HEIGHT / most
     bottom = 6 + CURVE_ROW * len(vehicles)
     rows = [
-        _curve_row(vehicle, 6 + CURVE_ROW * place, per_hour, per_point)
-        for place, vehicle in enumerate(vehicles)
+        _curve_row(vehicle, 6 + CURVE_ROW * place, LEFT + leave * per_hour, per_hour, per_point)
+        for place, (vehicle, leave) in enumerate(zip(vehicles, leaves, strict=True))
     ]
     beyond = any(curve[which]["beyond"] for curve in curves for which in ("alone", "joint"))
     return fill(
         "fatigue",
         height=bottom + 20,
         rows=join(rows),
-        ticks=join(_ticks(hours, per_hour, bottom, "h")),
+        ticks=join(
+            (
+                fill(
+                    "tick",
+                    x=f"{LEFT + (moment - begin_s) / 3600 * per_hour:.1f}",
+                    bottom=bottom,
+                    text_y=bottom + 14,
+                    text=text,
+                )
+                for moment, text in hour_ticks(schedule, begin_s, begin_s + hours * 3600)
+            )
+            if schedule
+            else _ticks(hours, per_hour, bottom, "h")
+        ),
+        heading=fill("fatigue-by-clock" if schedule else "fatigue-by-hours"),
+        waits=fill("fatigue-waits") if schedule else NOTHING,
         held=fill("fatigue-held") if beyond else NOTHING,
         title="; ".join(
             f"{v['letter']}: {v['fatigue']['alone_peak']:.0f} alone, "
@@ -141,14 +170,21 @@ def fatigue_chart(document: dict[str, Any]) -> Markup:
     )
 
 
-def _curve_row(vehicle: dict[str, Any], y: float, per_hour: float, per_point: float) -> Markup:
+def _curve_row(
+    vehicle: dict[str, Any], y: float, left: float, per_hour: float, per_point: float
+) -> Markup:
     curve = vehicle["fatigue"]
     base = float(CURVE_HEIGHT)
 
     def path(which: str) -> str:
+        values = curve[which]["values"]
+        # Where the curve is level its ends are enough.
+        level = [0 < k < len(values) - 1 and values[k - 1] == values[k] == values[k + 1]
+                 for k in range(len(values))]  # fmt: skip
         return " ".join(
-            f"{LEFT + hour * per_hour:.1f},{base - value * per_point:.1f}"
-            for hour, value in zip(curve[which]["hours"], curve[which]["values"], strict=True)
+            f"{left + hour * per_hour:.1f},{base - value * per_point:.1f}"
+            for hour, value, skip in zip(curve[which]["hours"], values, level, strict=True)
+            if not skip
         )
 
     joint = path("joint")

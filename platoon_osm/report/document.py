@@ -12,14 +12,16 @@ from typing import Any
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
 from ..network.road_network import RoadNetwork
+from ..planning.clock import duration
 from ..planning.plans import JointPlan, Stop, VehiclePlan
 from .basemap import encoded_basemap, encoded_route
 from .driver_fatigue import fatigue_along
 from .events import Event, platoon_events
 from .journey import Journey, journey, ways
+from .opposite import opposite_gaps
 from .place_labels import junction_labels, town_labels
 from .provenance import provenance
-from .quantities import CostUnit, cost_unit, kilometres, litres, percent, signed
+from .quantities import CostUnit, clock_span, cost_unit, kilometres, litres, percent, signed
 from .sections import (
     PlatoonPart,
     PlatoonSection,
@@ -30,11 +32,12 @@ from .sections import (
 )
 from .shown_text import fitted, shortened, shown
 from .solo_costs import known_weights, sum_over
+from .timeline import event_time, timeline, vehicle_day, waits_at
 from .vehicle_styles import VehicleStyle, vehicle_styles
 
 __all__ = ["DOCUMENT_VERSION", "check_plan", "report_document"]
 
-DOCUMENT_VERSION = 2
+DOCUMENT_VERSION = 3
 
 MOST_NAMED = 5
 """Vehicles named one by one; a larger company is called the platoon."""
@@ -82,10 +85,15 @@ def report_document(
     events = platoon_events(plan, sections)
     scale = journey(plan, net, sections)
     vehicles = [
-        _vehicle(vehicle, style, unit, known, way)
-        for vehicle, style, way in zip(plan.vehicles, looks, ways(plan, sections), strict=True)
+        {
+            **_vehicle(plan.vehicles[index], looks[index], unit, known, way),
+            "fatigue": fatigue_along(plan.vehicles[index], plan.times[index]),
+            "times": vehicle_day(plan, index, net, sections),
+        }
+        for index, way in enumerate(ways(plan, sections))
     ]
-    parts = platoon_parts(sections)
+    opposite = opposite_gaps(net, (edge for vehicle in plan.vehicles for edge in vehicle.edges))
+    parts = platoon_parts(sections, opposite)
     return {
         "format": "platoon_osm report",
         "version": DOCUMENT_VERSION,
@@ -99,9 +107,10 @@ def report_document(
             _platoon(plan, net, section, cut, looks, unit, known)
             for section, cut in zip(sections, parts, strict=True)
         ],
-        "solos": list(_solos(plan, net, sections, looks, unit)),
+        "solos": list(_solos(plan, net, sections, opposite, looks, unit)),
         "events": [_event(plan, net, event, looks, scale) for event in events],
         "journey": _journey(scale),
+        "schedule": timeline(plan),
         "inferred_routes": _inferred_routes(plan, net),
         "towns": town_labels(net),
         "junctions": junction_labels(net),
@@ -119,6 +128,7 @@ def check_plan(plan: JointPlan, net: RoadNetwork) -> None:
             f"report: the plan was made on {plan.network.name!r} ({plan.network.identity}), not "
             f"on {net.source.name!r} ({net.identity()}); load the network it was made on"
         )
+    plan.check_timetable()
     seen: set[str] = set()
     for vehicle in plan.vehicles:
         if vehicle.vehicle in seen:
@@ -183,7 +193,13 @@ def _totals(
     longer = f"{kilometres(abs(extra_m))} {'further' if extra_m >= 0 else 'less'} to drive"
     if abs(extra_m) < 50:
         longer = "no extra distance"
-    if saved_l > 0:
+    if plan.timetable is not None:
+        fuel = f"{litres(saved_l)} of fuel saved" if saved_l > 0 else "no fuel saved"
+        waiting = clock_span(plan.timetable.waiting_s)
+        figures.append(
+            {"figure": waiting, "label": f"waiting on the road; {fuel}", "kind": "plain"}
+        )
+    elif saved_l > 0:
         share = f"{percent(saved_l / alone_l)} of fuel saved"
         figures.append({"figure": litres(saved_l), "label": f"{share}; {longer}", "kind": "plain"})
     else:
@@ -301,7 +317,6 @@ def _vehicle(
         "detour": detour,
         "reason": fitted(vehicle.reason),
         "way": [[kind, piece] for kind, piece in way],
-        "fatigue": fatigue_along(vehicle),
         "text": {
             **_cost_texts(vehicle.solo_cost, vehicle.joint_cost, unit),
             "gain": "" if platoon_gain is None else unit.bare(platoon_gain),
@@ -331,6 +346,9 @@ def _event(
         what = f"{movers} {'joins' if one else 'join'} {whom}"
     else:
         what = f"{movers} {'leaves' if one else 'leave'}"
+    at_s = event_time(plan, event)
+    if plan.timetable is not None and at_s is not None:
+        what = f"{plan.timetable.clock.text(at_s)}, {what}"
     return {
         "kind": event.kind,
         "lon": round(event.point.lon, 6),
@@ -339,8 +357,13 @@ def _event(
         "vehicles": event.movers,
         "others": list(event.others),
         "at_m": _on_scale(plan, event, scale),
+        "at_s": None if at_s is None else round(at_s, 1),
         "text": what,
-        "detail": _event_detail(plan, net, event),
+        "detail": ", ".join(
+            text
+            for text in (_event_detail(plan, net, event), _waiting(plan, event, styles))
+            if text
+        ),
     }
 
 
@@ -357,6 +380,15 @@ def joined(letters: Sequence[str], most: int = MOST_NAMED) -> str:
     if len(letters) > most:
         return f"{', '.join(letters[: most - 1])} and {len(letters) - most + 1} more"
     return " and ".join(part for part in (", ".join(letters[:-1]), *letters[-1:]) if part)
+
+
+def _waiting(plan: JointPlan, event: Event, styles: Sequence[VehicleStyle]) -> str:
+    """Return who waits there and how long: "B waits 24 min", at most a few."""
+    waits = waits_at(plan, event)
+    parts = [f"{styles[i].letter} waits {duration(wait)}" for i, wait in waits[:MOST_NAMED]]
+    if len(waits) > MOST_NAMED:
+        parts.append(f"{len(waits) - MOST_NAMED} more wait")
+    return ", ".join(parts)
 
 
 def _event_detail(plan: JointPlan, net: RoadNetwork, event: Event) -> str:
@@ -410,6 +442,7 @@ def _platoon(
                 "line": encoded_route(net, part.edges),
                 "beside": list(part.beside),
                 "place": part.place,
+                "opposite_m": part.opposite_m,
             }
             for part in parts
         ],
@@ -439,10 +472,11 @@ def _solos(
     plan: JointPlan,
     net: RoadNetwork,
     sections: Sequence[PlatoonSection],
+    opposite: Mapping[int, int],
     styles: Sequence[VehicleStyle],
     unit: CostUnit,
 ) -> Iterator[dict[str, Any]]:
-    for stretch in solo_stretches(plan, sections):
+    for stretch in solo_stretches(plan, sections, opposite):
         vehicle, leg = plan.vehicles[stretch.vehicle], stretch.leg
         name = fitted(vehicle.vehicle)
         letter = styles[stretch.vehicle].letter
@@ -456,6 +490,7 @@ def _solos(
                     "slot": part.slot,
                     "slots": part.slots,
                     "bands": list(part.bands),
+                    "opposite_m": part.opposite_m,
                 }
                 for part in stretch.parts
             ],

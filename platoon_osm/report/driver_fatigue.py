@@ -1,7 +1,8 @@
 """Fatigue of a driver along a journey, alone and as planned, by hours of driving.
 
-A plan has no clock times, so the curves are read by driving time alone and the time of day is
-left out. What a driver does in a platoon is taken as in the paper: the driving clock stands.
+The curves are read by driving time alone, and the time of day is left out, for not every plan has
+one. What a driver does in a platoon is taken as in the paper: the driving clock stands. So it does
+while a driver waits.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..costs.fatigue import FITTED_RANGE_S, FatigueModel, driving_clock
 from ..planning.plans import VehiclePlan
+from ..planning.timetable import VehicleTimes
 
 __all__ = ["fatigue_along"]
 
@@ -20,10 +22,19 @@ MODEL = FatigueModel("monotone", task_relief=1.0)
 STEP_S = 900.0
 
 
-def fatigue_along(vehicle: VehiclePlan) -> dict[str, Any]:
-    """Return fatigue alone and as planned, each `hours` and `values`, and the highest of each."""
+def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> dict[str, Any]:
+    """Return fatigue alone and as planned, each `hours` and `values`, and the highest of each.
+
+    Hours count from the departure; those of waiting count too where `times` are known.
+    """
     alone = _curve([("solo", vehicle.alone.time_s)])
-    joint = _curve([(_role(leg.role), leg.time_s) for leg in vehicle.legs])
+    legs: list[tuple[str, float]] = []
+    for number, leg in enumerate(vehicle.legs):
+        if times is not None and times.waits[number]:
+            # The clock stands as in a platoon whose drivers are relieved of all they do.
+            legs.append(("platoon", times.waits[number]))
+        legs.append((_role(leg.role), leg.time_s))
+    joint = _curve(legs)
     return {
         "alone": alone,
         "joint": joint,

@@ -5,6 +5,7 @@ Every text is drawn as it stands: matplotlib would read `$` as the beginning of 
 
 from __future__ import annotations
 
+import csv
 import os
 import warnings
 from collections.abc import Iterator, Sequence
@@ -25,11 +26,12 @@ from .map_view import (
     band_aside,
     band_lines,
     band_width,
-    shifted,
+    laid,
     solo_aside,
 )
 from .placement import Box, Cover
 from .polyline import decode_lines
+from .schedule_figure import COLUMNS, draw_schedule, schedule_rows
 from .shown_text import shortened
 
 if TYPE_CHECKING:
@@ -64,9 +66,10 @@ def write_figures(
 ) -> list[Path]:
     """Write the figures of a plan into a folder that exists; return their paths.
 
-    They are `corridor` (the map), `costs` (bars of cost alone and as planned) and `way` (who
-    drives with whom, by distance; left out where the plan has no common scale of distance). The
-    same plan gives the same bytes.
+    They are `corridor` (the map), `costs` (bars of cost alone and as planned), `way` (who drives
+    with whom, by distance; left out where the plan has no common scale of distance) and, for a
+    plan with times, `schedule` (who drives when), with its numbers in `schedule.csv`. The same
+    plan gives the same bytes.
 
     Parameters
     ----------
@@ -90,6 +93,15 @@ def write_figures(
                 with whole_file(path, suffix=f".{kind}") as draft:
                     figure.savefig(draft, dpi=300, metadata=_METADATA[kind])
                 written.append(path)
+    if document["schedule"]:
+        path = Path(folder) / "schedule.csv"
+        with (
+            whole_file(path, suffix=".csv") as draft,
+            draft.open("w", encoding="utf-8", newline="") as handle,
+        ):
+            table = csv.writer(handle, lineterminator="\n")
+            table.writerows([COLUMNS, *schedule_rows(document)])
+        written.append(path)
     return written
 
 
@@ -117,6 +129,8 @@ def _figures(document: dict[str, Any]) -> Iterator[tuple[str, Figure]]:
     yield "costs", _costs(document)
     if document["journey"]:
         yield "way", _way(document)
+    if document["schedule"]:
+        yield "schedule", _schedule(document)
 
 
 def _axes(height_in: float, layout: Any = "constrained") -> tuple[Figure, Axes]:
@@ -172,21 +186,19 @@ def _routes(axes: Axes, document: dict[str, Any], view: MapView, cover: Cover) -
 
     for solo in document["solos"]:
         vehicle = vehicles[solo["vehicle"]]
-        points = [
-            at for part in solo["parts"]
-            for at in shifted(view.route(part["line"]), solo_aside(part))
-        ]  # fmt: skip
+        points = laid(
+            [(view.route(part["line"]), solo_aside(part, view)) for part in solo["parts"]]
+        )
         cover.add_line(points)
         line(points, "white", 7.0)
         line(points, vehicle["colour"], 3.6, **_dash(vehicle))
     for section in document["platoons"]:
         step, width = band_lines(len(section["vehicles"]))
-        roads = [(view.route(part["line"]), band_aside(part)) for part in section["parts"]]
+        roads = [(view.route(part["line"]), band_aside(part, view)) for part in section["parts"]]
         asides = [(place - (len(section["vehicles"]) - 1) / 2) * step
                   for place in range(len(section["vehicles"]))]  # fmt: skip
         middle, *lanes = (
-            [at for road, band in roads for at in shifted(road, band + aside)]
-            for aside in (0.0, *asides)
+            laid([(road, band + aside) for road, band in roads]) for aside in (0.0, *asides)
         )
         inner = band_width(len(section["vehicles"]))
         line(middle, "#8a6a00", inner + 2)
@@ -295,4 +307,13 @@ def _way(document: dict[str, Any]) -> Figure:
     axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
     axes.invert_yaxis()
     axes.set_xlabel("Distance, km; yellow: in the platoon; lines: merges and separations")
+    return figure
+
+
+def _schedule(document: dict[str, Any]) -> Figure:
+    vehicles = document["vehicles"]
+    figure, axes = _axes(0.9 + 0.46 * len(vehicles))
+    draw_schedule(axes, document, [_dash(vehicle) for vehicle in vehicles])
+    axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
+    axes.set_ylim(len(vehicles) - 0.4, -0.6)
     return figure

@@ -16,11 +16,11 @@ from ..whole_file import whole_file
 from .basemap import BASEMAP_STEPS, ROUTE_STEPS, ROUTE_TOLERANCE_M, basemap_lines
 from .document import report_document
 from .fragments import Markup, fill, join
-from .map_texts import placed_names
 from .map_view import MapView, path_data, shifted
 from .placement import Box, Cover
 from .polyline import decode_lines, encode_lines
 from .quantities import percent
+from .static_map import NARROW, static_texts, town_names
 from .still_page import still_page
 
 __all__ = ["flow_document", "write_flows"]
@@ -177,7 +177,10 @@ def _map(document: dict[str, Any]) -> Markup:
         if group["kind"] == "platoon"
     ]  # fmt: skip
     network = view.network_path(decode_lines(document["basemap"]["known"], BASEMAP_STEPS))
+    narrow = cover.copy()
     cover.add_box(Box(0, 0, 190, 150))
+    names = join(town_names(document, view, cover))
+    large = join(town_names(document, view, narrow, NARROW))
     return fill(
         "flows-map",
         width=f"{view.width:g}",
@@ -187,10 +190,8 @@ def _map(document: dict[str, Any]) -> Markup:
         casings=join(casings),
         roads=join(roads),
         chosen=join(chosen),
-        names=join(
-            fill("static-name", x=f"{box.left + 4:.1f}", y=f"{box.top + 13:.1f}", text=text)
-            for text, box in placed_names(document, view, cover)
-        ),
+        wide=static_texts("wide", names, NOTHING),
+        narrow=static_texts("narrow", large, NOTHING, scale=NARROW),
     )
 
 

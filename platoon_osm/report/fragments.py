@@ -16,7 +16,8 @@ from string import Template
 __all__ = ["Markup", "asset", "compact_asset", "fill", "fill_page", "join"]
 
 FRAGMENT_FILES = (
-    "panel.html", "legend.html", "map.svg.html", "charts.html", "comparison.html", "flows.html",
+    "panel.html", "legend.html", "map.svg.html", "charts.html", "schedule.html", "comparison.html",
+    "flows.html", "notebook.html",
 )  # fmt: skip
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)

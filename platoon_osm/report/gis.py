@@ -18,6 +18,7 @@ from .quantities import cost_unit
 from .sections import platoon_sections
 from .shown_text import shown
 from .solo_costs import sum_over
+from .timeline import event_time
 
 if TYPE_CHECKING:
     import geopandas
@@ -31,8 +32,9 @@ def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame
     """Return the legs of all vehicles, one a row, as lines in EPSG:4326.
 
     Columns: vehicle, vehicle_role, leg (from 1), role, partners, origin, destination, roads,
-    length_m, time_s, fuel_l, cost, cost_unit, inferred_m, attribution. Legs without road are left
-    out.
+    length_m, time_s, fuel_l, cost, cost_unit, inferred_m, attribution. A plan with times adds
+    start_time and end_time (ISO 8601) and waiting_s, the wait before the leg. Legs without road
+    are left out.
 
     Raises
     ------
@@ -54,18 +56,23 @@ def leg_table(plan: JointPlan, net: RoadNetwork) -> tuple[dict[str, list[Any]], 
             "length_m", "time_s", "fuel_l", "cost", "cost_unit", "inferred_m", "attribution",
         )
     }  # fmt: skip
+    if plan.timetable is not None:
+        columns |= {name: [] for name in ("start_time", "end_time", "waiting_s")}
     lines: list[Any] = []
-    for vehicle in plan.vehicles:
+    for vehicle, times in zip(plan.vehicles, plan.times, strict=True):
         for number, leg in enumerate(vehicle.legs, 1):
             if not leg.edges:
                 continue
             lines.append(net.path_shape(leg.edges))
-            row = (
+            row: tuple[Any, ...] = (
                 shown(vehicle.vehicle), vehicle.role, number, leg.role,
                 ", ".join(shown(name) for name in leg.partners), shown(vehicle.origin.name),
                 shown(vehicle.destination.name), _roads(net, leg.edges), leg.length_m, leg.time_s,
                 leg.fuel_l, leg.cost, shown(plan.unit), leg.inferred_m, credit,
             )  # fmt: skip
+            if plan.timetable is not None and times is not None:
+                moments = (plan.timetable.clock.iso(at) for at in times.legs[number - 1])
+                row += (*moments, times.waits[number - 1])
             for values, value in zip(columns.values(), row, strict=True):
                 values.append(value)
     return columns, lines
@@ -139,13 +146,16 @@ def _points(plan: JointPlan) -> geopandas.GeoDataFrame:
 
     names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
     rows: list[tuple[str, str, str, str, int | None, float, float]] = []
-    for name, vehicle in zip(names, plan.vehicles, strict=True):
+    moments: list[float | None] = []
+    for name, vehicle, times in zip(names, plan.vehicles, plan.times, strict=True):
         for kind, stop in (("start", vehicle.origin), ("destination", vehicle.destination)):
             rows.append((kind, shown(stop.name), name, "", None, stop.lon, stop.lat))
+        moments += [times.departure_s, times.arrival_s] if times else [None, None]
     for event in platoon_events(plan, platoon_sections(plan)):
         at = event.point
         who, others = (", ".join(names[i] for i in group) for group in (event.movers, event.others))
         rows.append((event.kind, shown(at.name), who, others, at.osm_id, at.lon, at.lat))
+        moments.append(event_time(plan, event))
     kinds, places, who_all, with_all, ids, lons, lats = zip(*rows, strict=True)
     import pandas as pd
 
@@ -156,9 +166,17 @@ def _points(plan: JointPlan) -> geopandas.GeoDataFrame:
             "vehicles": who_all,
             "with_vehicles": with_all,
             "osm_id": pd.array(ids, dtype="Int64"),
+            **_time_column(plan, moments),
         },
         geometry=geopandas.points_from_xy(lons, lats, crs=CRS),
     )
+
+
+def _time_column(plan: JointPlan, moments: Sequence[float | None]) -> dict[str, list[str | None]]:
+    if plan.timetable is None:
+        return {}
+    clock = plan.timetable.clock
+    return {"time": [None if at is None else clock.iso(at) for at in moments]}
 
 
 def _network(net: RoadNetwork) -> geopandas.GeoDataFrame:
@@ -199,6 +217,11 @@ def _about(plan: JointPlan, net: RoadNetwork) -> list[tuple[str, str]]:
         ("method", plan.method),
         ("cost_unit", plan.unit),
         ("proof", proof_text(plan.proof, cost_unit(plan.unit))),
+        *(
+            [("times", plan.timetable.clock.zone), ("feasible_in_time", plan.timetable.feasible)]
+            if plan.timetable
+            else []
+        ),
         ("made_by", f"platoon_osm {plan.version}".strip()),
         *((f"parameter {name}", value) for name, value in plan.params.items()),
         *(("remark", remark) for remark in plan.remarks),

@@ -8,13 +8,19 @@ from dataclasses import dataclass
 from typing import Any
 
 from .basemap import BASEMAP_STEPS
-from .map_view import MapView
+from .map_view import MapView, Point
 from .placement import Box, Cover, text_width
 
-__all__ = ["Callout", "placed_callouts", "placed_names"]
+__all__ = ["NAME_SIZE", "Callout", "placed_callouts", "placed_names"]
+
+NAME_SIZE = 11.5
+"""Of a town's name, in pixels."""
 
 CALLOUT_HEIGHT = 34.0
-WIDEST_CALLOUT = 230.0
+WIDEST_CALLOUT = 270.0
+
+MANY_EVENTS = 8
+"""Of more callouts than this, those without a good place are left out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,14 +35,20 @@ class Callout:
     near: tuple[float, float] | None
 
 
-def placed_callouts(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[Callout]:
-    """Yield the callouts of all events that find room, where they cover least."""
-    for event in document["events"]:
-        x, y = view.at(event["lon"], event["lat"])
+def placed_callouts(
+    document: dict[str, Any], view: MapView, cover: Cover, places: Sequence[Point] = ()
+) -> Iterator[Callout]:
+    """Yield the callouts of all events that find room, where they cover least.
+
+    `places` are those of the events' marks, by default where the events are.
+    """
+    worst = 1_000 if len(document["events"]) <= MANY_EVENTS else 60
+    for number, event in enumerate(document["events"]):
+        x, y = places[number] if places else view.at(event["lon"], event["lat"])
         head = _clipped(f"{event['kind'].capitalize()}: {event['name']}", 11.5, True)
         line = _clipped(event["text"], 11, False)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))
-        box = cover.place(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)), 1_000)
+        box = cover.place(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)), worst)
         if box is None:
             continue
         near = min(max(x, box.left), box.right), min(max(y, box.top), box.bottom)
@@ -44,8 +56,8 @@ def placed_callouts(document: dict[str, Any], view: MapView, cover: Cover) -> It
         yield Callout(x, y, box, head, line, near if far else None)
 
 
-def _clipped(text: str, size: float, bold: bool) -> str:
-    while len(text) > 2 and text_width(text, size, bold) > WIDEST_CALLOUT:
+def _clipped(text: str, size: float, bold: bool, scale: float = 1.0) -> str:
+    while len(text) > 2 and text_width(text, size, bold) > WIDEST_CALLOUT * scale:
         text = text[: max(1, int(len(text) * 0.9) - 1)].rstrip("\u2026 ") + "\u2026"
     return text
 
@@ -64,32 +76,39 @@ def _around(
 
 
 def placed_names(
-    document: dict[str, Any], view: MapView, cover: Cover
+    document: dict[str, Any], view: MapView, cover: Cover, scale: float = 1.0
 ) -> Iterator[tuple[str, Box]]:
-    """Yield the names of towns that find room, each with the box it stands in."""
+    """Yield the names of towns that find room, each with the box it stands in.
+
+    Names `scale` times as large as others want more room, and fewer find it.
+    """
     placed: list[tuple[float, float, float]] = []
+    size = NAME_SIZE * scale
+    high, side = 18 * scale, 4 * scale
     for lon, lat, name, rank in document["towns"]:
         x, y = view.at(lon / BASEMAP_STEPS, lat / BASEMAP_STEPS)
         if rank > 1 or not (0 < x < view.width and 0 < y < view.height):
             continue
-        text = _clipped(name, 11.5, False)
-        width = text_width(text, 11.5)
+        text = _clipped(name, size, False, scale)
+        width = text_width(text, size)
         # A blank margin round the text keeps names apart, a wide one thins out lesser towns.
-        gap = 18 if rank else 6
+        gap = (24 if rank else 8) * scale
         if any(
-            abs(x - other_x) < (width + other) / 2 + gap and abs(y - other_y) < 18 + gap / 2
+            abs(x - other_x) < (width + other) / 2 + gap and abs(y - other_y) < high + gap / 2
             for other_x, other_y, other in placed
         ):
             continue
+        wide, left = width + 2 * side, x - width / 2 - side
         places = (
-            (Box(x - width / 2 - 4, y - 20, width + 8, 18), 0.0),
-            (Box(x - width / 2 - 4, y + 3, width + 8, 18), 0.5),
-            (Box(x + 2, y - 9, width + 8, 18), 1.0),
-            (Box(x - width - 10, y - 9, width + 8, 18), 1.0),
-            (Box(x - width / 2 - 4, y - 30, width + 8, 18), 1.5),
-            (Box(x - width / 2 - 4, y + 12, width + 8, 18), 1.5),
+            (Box(left, y - high - 2, wide, high), 0.0),
+            (Box(left, y + 3, wide, high), 0.5),
+            (Box(x + 2, y - high / 2, wide, high), 1.0),
+            (Box(x - wide - 2, y - high / 2, wide, high), 1.0),
+            (Box(left, y - high - 12 * scale, wide, high), 1.5),
+            (Box(left, y + 12 * scale, wide, high), 1.5),
         )
-        box = cover.place(places, 8.0)
+        # Large names may touch a line, or hardly any would find a place.
+        box = cover.place(places, 8.0 if scale == 1 else 16.0 * scale)
         if box is not None:
             placed.append((x, y, width))
             yield text, box

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,15 +13,21 @@ from .basemap import ROUTE_STEPS
 from .polyline import decode_polyline
 
 __all__ = [
-    "MapView", "Point", "band_aside", "band_lines", "band_width", "bands_width", "path_data",
-    "shifted", "solo_aside", "solo_step",
+    "MapView", "Point", "band_aside", "band_lines", "band_width", "bands_width", "laid",
+    "path_data", "shifted", "solo_aside", "solo_step",
 ]  # fmt: skip
 
 WIDTH = 960.0
-LEAST_HEIGHT, MOST_HEIGHT = 760.0, 980.0
+LEAST_HEIGHT, MOST_HEIGHT = 690.0, 980.0
 MARGIN = 60.0
 MOST_NETWORK_DATA = 80_000
 """Characters of path data that the still map spends on the background."""
+
+SHORT = 12.0
+"""Pixels of road that are too short for a place of their own."""
+
+SOLO_CASING = 7.0
+"""Width of a solo line with its white casing."""
 
 Point = tuple[float, float]
 
@@ -58,6 +65,8 @@ class MapView:
         self._x = width / 2 - self.per_degree * float(xs.min() + xs.max()) / 2
         self._y = self.height / 2 - self.per_degree * float(ys.min() + ys.max()) / 2
         self.latitude = float(np.mean([stop[1] for stop in _stops(document)]))
+        degree_m = 111_320 * math.cos(math.radians(self.latitude))
+        self.metres_per_pixel = degree_m / max(self.per_degree, 1e-9)
 
     def at(self, lon: float, lat: float) -> Point:
         """Return the pixel of a point."""
@@ -66,13 +75,7 @@ class MapView:
 
     def pixels(self, line: Sequence[Point]) -> list[Point]:
         """Return a line of lon and lat in pixels, without points that make no difference."""
-        import shapely
-
-        points = [self.at(lon, lat) for lon, lat in line]
-        if len(points) < 3:
-            return points
-        simple = shapely.simplify(shapely.linestrings(points), 0.6)
-        return [(float(x), float(y)) for x, y in shapely.get_coordinates(simple)]
+        return _simplified([self.at(lon, lat) for lon, lat in line], 0.6)
 
     def route(self, line: str) -> list[Point]:
         """Return an encoded route in pixels."""
@@ -137,6 +140,15 @@ def _stops(document: dict[str, Any]) -> list[Point]:
     ]
 
 
+def _simplified(points: list[Point], tolerance: float) -> list[Point]:
+    import shapely
+
+    if len(points) < 3 or not tolerance:
+        return points
+    simple = shapely.simplify(shapely.linestrings(points), tolerance)
+    return [(float(x), float(y)) for x, y in shapely.get_coordinates(simple)]
+
+
 def shifted(points: Sequence[Point], aside: float) -> list[Point]:
     """Return a line moved to its right by some pixels, corners mitred within limits."""
     if not aside or len(points) < 2:
@@ -157,6 +169,30 @@ def shifted(points: Sequence[Point], aside: float) -> list[Point]:
     return [(float(x), float(y)) for x, y in moved]
 
 
+def laid(roads: Sequence[tuple[Sequence[Point], float]]) -> list[Point]:
+    """Return one line along roads in pixels, each moved to its right by its own measure.
+
+    Roads too short to be seen follow their neighbour, or the line would start aside and back
+    within a few pixels.
+    """
+    runs: list[tuple[list[Point], float, float]] = []
+    for points, aside in roads:
+        length = sum(math.dist(a, b) for a, b in pairwise(points))
+        if runs:
+            before, old, known = runs[-1]
+            if aside == old or length < SHORT or known < SHORT:
+                wider = aside if length > known else old
+                runs[-1] = [*before, *points], wider, known + length
+                continue
+        runs.append((list(points), aside, length))
+    # Loops of a ramp, tighter than the line is aside, would become stars.
+    return [
+        point
+        for points, aside, _ in runs
+        for point in shifted(_simplified(points, abs(aside) / 5), aside)
+    ]
+
+
 def band_lines(vehicles: int) -> tuple[float, float]:
     """Return the distance between lines in a platoon band and their width, in pixels."""
     step = min(6.0, 36.0 / vehicles)
@@ -173,11 +209,19 @@ def bands_width(beside: Sequence[int]) -> float:
     return sum(band_width(count) + 2 for count in beside)
 
 
-def band_aside(part: dict[str, Any]) -> float:
+def band_aside(part: dict[str, Any], view: MapView) -> float:
     """Return how far right of the road a band's middle lies, so that all bands on it show."""
     before = bands_width(part["beside"][: part["place"]])
     own = bands_width(part["beside"][part["place"] :][:1])
-    return before + own / 2 - bands_width(part["beside"]) / 2
+    whole = bands_width(part["beside"])
+    return before + own / 2 - whole / 2 + _apart(part, whole, view)
+
+
+def _apart(part: dict[str, Any], width: float, view: MapView) -> float:
+    """Return how far right of its road a strip of lines goes, to let the other way pass it."""
+    if part["opposite_m"] is None:
+        return 0.0
+    return float(max(0.0, width / 2 + 0.5 - part["opposite_m"] / view.metres_per_pixel / 2))
 
 
 def solo_step(slots: int) -> float:
@@ -185,9 +229,11 @@ def solo_step(slots: int) -> float:
     return min(7.0, 26.0 / max(slots - 1, 1))
 
 
-def solo_aside(part: dict[str, Any]) -> float:
+def solo_aside(part: dict[str, Any], view: MapView) -> float:
     """Return how far right of the road a vehicle alone is drawn, clear of any bands on it."""
     step = solo_step(part["slots"])
     if part["bands"]:
-        return float(bands_width(part["bands"]) / 2 + 4 + step * part["slot"])
-    return float((part["slot"] - (part["slots"] - 1) / 2) * step)
+        width = bands_width(part["bands"])
+        return float(width / 2 + 4 + step * part["slot"] + _apart(part, width, view))
+    across = step * (part["slots"] - 1)
+    return float(step * part["slot"] - across / 2 + _apart(part, across + SOLO_CASING, view))

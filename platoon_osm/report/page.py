@@ -25,6 +25,12 @@ __all__ = ["explore", "plan_map", "write_html"]
 
 LEAFLET_LICENCE = "leaflet-licence.txt"
 
+SCRIPTS = (
+    "elements.js", "lines.js", "lanes.js", "cover.js", "marks.js", "labels.js", "legend.js",
+    "clock.js", "journey.js", "page.js",
+)  # fmt: skip
+"""The page's own scripts, in their order: each may use those before it."""
+
 
 def write_html(
     plan: JointPlan,
@@ -117,9 +123,10 @@ class PageParts:
         header, extra : markup for the head and the end of the body, from folium.
         script : from folium, creates the map; the page's own script follows it.
         """
-        own = "".join(compact_asset(name) for name in ("journey.js", "page.js"))
+        own = "".join(compact_asset(name) for name in SCRIPTS)
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
-        styles = [self.leaflet.style, compact_asset("page.css")]
+        own_style = "".join(compact_asset(name) for name in ("page.css", "schedule.css"))
+        styles = [self.leaflet.style, own_style]
         body = page_body(self.document, fill("live-map", id=map_id))
         tiles = self.document["tiles"]
         return fill_page(

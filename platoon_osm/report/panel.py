@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .charts import along_chart, fatigue_chart
 from .fragments import Markup, fill, join
-from .map_view import band_lines
+from .legend import legend
+from .schedule_chart import late_note, schedule_chart
 from .static_map import static_map
+from .waiting_bars import waiting_bars
 
 __all__ = ["page_body"]
 
@@ -33,7 +35,7 @@ def page_body(document: dict[str, Any], live_map: Markup) -> Markup:
         icons=fill("icons"),
         live_map=live_map,
         static_map=static_map(document),
-        legend=_legend(document),
+        legend=legend(document),
         credits=join(fill("credit", text=text) for text in about["credits"]),
         title=document["title"],
         subtitle=document["subtitle"],
@@ -51,6 +53,9 @@ def page_body(document: dict[str, Any], live_map: Markup) -> Markup:
 
 def _journey(document: dict[str, Any]) -> Markup:
     scale = document["journey"]
+    if (schedule := document["schedule"]) is not None:
+        minutes = (schedule["end_s"] - schedule["begin_s"]) / 60
+        return fill("journey-by-clock", minutes=f"{minutes:.3f}")
     return NOTHING if scale is None else fill("journey", km=f"{scale['length_m'] / 1000:.4f}")
 
 
@@ -66,8 +71,9 @@ def _vehicles(document: dict[str, Any]) -> Markup:
             unit=unit,
             unit_note=note,
             table=_table(document, every, "All vehicles", totals["text"], "Costs"),
-            bars=_bars(document, every),
-            along=along_chart(document, every),
+            day=schedule_chart(document, every),
+            bars=join([_bars(document, every), waiting_bars(document, every)]),
+            along=_way(document, every),
             events=_events(document, every),
         )
     return fill(
@@ -98,10 +104,18 @@ def _group(document: dict[str, Any], number: int, group: dict[str, Any]) -> Mark
         name=group["name"],
         facts=group["facts"],
         table=_table(document, members, "Together", group["text"], f"Costs, {group['name']}"),
-        bars=_bars(document, members, key) if together else NOTHING,
-        along=along_chart(document, members, key) if together else NOTHING,
+        bars=join([_bars(document, members, key), waiting_bars(document, members, key)])
+        if together
+        else NOTHING,
+        day=schedule_chart(document, members, key),
+        along=_way(document, members, key) if together else NOTHING,
         events=_events(document, members, key),
     )
+
+
+def _way(document: dict[str, Any], members: Sequence[int], key: str = "") -> Markup:
+    """Return the way by distance; where there are times the schedule takes its place."""
+    return NOTHING if document["schedule"] else along_chart(document, members, key)
 
 
 def _items(fragment: str, texts: list[str]) -> Markup:
@@ -144,6 +158,9 @@ def _table(
     rows = []
     for vehicle in (document["vehicles"][index] for index in members):
         facts: object = f"{vehicle['role_text']}, {vehicle['length_text']}"
+        if vehicle["times"]:
+            clock = vehicle["times"]["text"]
+            facts = f"{clock['departure']}\u2060\u2013\u2060{clock['arrival']}, {facts}"
         if vehicle["name"]:
             facts = fill("vehicle-name", name=vehicle["name"], facts=facts)
         rows.append(
@@ -265,16 +282,20 @@ def _events(document: dict[str, Any], members: Sequence[int], key: str = "") -> 
 
 
 def _notes(document: dict[str, Any]) -> Markup:
-    items: list[Markup] = []
+    # Those of one reason share a note.
+    alike: dict[tuple[bool, str], list[dict[str, Any]]] = {}
     for vehicle in document["vehicles"]:
-        letter, reason = vehicle["letter"], vehicle["reason"]
-        if vehicle["role"] == "alone":
-            lead = f"{letter} stays alone" + (":" if reason else ".")
-        elif reason:
-            lead = f"{letter}:"
-        else:
-            continue
-        items.append(fill("note-vehicle", badge=badge(vehicle), lead=lead, text=reason))
+        alone = vehicle["role"] == "alone"
+        if alone or vehicle["reason"]:
+            alike.setdefault((alone, vehicle["reason"]), []).append(vehicle)
+    items: list[Markup] = late_note(document)
+    for (alone, reason), vehicles in alike.items():
+        lead = ", ".join(vehicle["letter"] for vehicle in vehicles)
+        if alone:
+            lead += " stays alone" if len(vehicles) == 1 else " stay alone"
+        lead += ":" if reason else "."
+        face = badge(vehicles[0]) if len(vehicles) == 1 else NOTHING
+        items.append(fill("note-vehicle", badge=face, lead=lead, text=reason))
     guessed = [vehicle for vehicle in document["vehicles"] if vehicle["inferred_text"]]
     if guessed:
         listed = ", ".join(f"{v['letter']} {v['inferred_text']}" for v in guessed)
@@ -284,64 +305,3 @@ def _notes(document: dict[str, Any]) -> Markup:
         )
         items.append(fill("note-inferred", text=text))
     return fill("notes", items=join(items)) if items else NOTHING
-
-
-# -- legend ----------------------------------------------------------------------------------------
-
-
-def _legend(document: dict[str, Any]) -> Markup:
-    return fill("legend", rows=join(_legend_rows(document)))
-
-
-def _legend_rows(document: dict[str, Any]) -> Iterator[Markup]:
-    def row(layer: str, swatch: Markup, text: object) -> Markup:
-        return fill("legend-row", layer=layer, swatch=swatch, text=text)
-
-    vehicles = document["vehicles"]
-    if document["platoons"]:
-        widest = max((section["vehicles"] for section in document["platoons"]), key=len)
-        yield row("platoon", _platoon_swatch([vehicles[i] for i in widest]), "Platoon")
-    rows: list[Markup] = []
-    for index, vehicle in enumerate(vehicles):
-        swatch = fill(
-            "swatch-line", colour=vehicle["colour"], dash=vehicle["dash"] or "none",
-            cap=vehicle["cap"],
-        )  # fmt: skip
-        rest = {"master": ", master route", "alone": ", alone"}.get(vehicle["role"], "")
-        rows.append(row(f"vehicle-{index}", swatch, f"Vehicle {vehicle['letter']}{rest}"))
-    if len(rows) > COMPACT_BEYOND:
-        swatches = (
-            fill("swatch-thin", y=4 + 5 * place, colour=vehicle["colour"])
-            for place, vehicle in enumerate(vehicles[:3])
-        )
-        yield fill("legend-crowd", swatches=join(swatches), rows=join(rows))
-    else:
-        yield from rows
-    yield row("ends", fill("swatch-ends"), "Starts and destinations")
-    kinds = {event["kind"] for event in document["events"]}
-    if "merge" in kinds:
-        yield row("merge", fill("swatch-merge"), "Merge points")
-    if "separation" in kinds:
-        yield row("separation", fill("swatch-separation"), "Separation points")
-    yield row("network", fill("swatch-network"), "Motorway network")
-    if document["basemap"]["inferred"]:
-        yield row("inferred", fill("swatch-inferred"), "Inferred road")
-    if document["junctions"]:
-        yield row("junctions", fill("swatch-junctions"), "Junctions (zoom in)")
-    if document["towns"] or document["junctions"]:
-        yield row("names", fill("swatch-names"), "Place names")
-
-
-def _platoon_swatch(vehicles: list[dict[str, Any]]) -> Markup:
-    shown_lines = vehicles[:3]
-    step = min(4.6, band_lines(len(shown_lines))[0])
-    lines = [
-        fill(
-            "swatch-platoon-line",
-            y=f"{9 + (place - (len(shown_lines) - 1) / 2) * step:.1f}",
-            colour=vehicle["colour"],
-            width="2.6",
-        )
-        for place, vehicle in enumerate(shown_lines)
-    ]
-    return fill("swatch-platoon", lines=join(lines))

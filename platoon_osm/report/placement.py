@@ -45,6 +45,12 @@ class Cover:
         self.height = height
         self._weight: dict[tuple[int, int], int] = defaultdict(int)
 
+    def copy(self) -> Cover:
+        """Return another that has the same taken so far."""
+        made = Cover(self.width, self.height)
+        made._weight.update(self._weight)
+        return made
+
     def add_line(self, points: Sequence[tuple[float, float]], weight: int = LINE) -> None:
         """Mark the cells that a line passes."""
         for (x0, y0), (x1, y1) in pairwise(points):

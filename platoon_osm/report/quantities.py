@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from .shown_text import shortened, shown
 
-__all__ = ["CostUnit", "cost_unit", "kilometres", "litres", "percent", "signed"]
+__all__ = ["CostUnit", "clock_span", "cost_unit", "kilometres", "litres", "percent", "signed"]
 
 MINUS = "\u2212"
 
@@ -31,6 +31,12 @@ def kilometres(length_m: float) -> str:
 def litres(fuel_l: float) -> str:
     """Return a volume of fuel as "21.4 l"."""
     return f"{fuel_l:,.1f} l" if abs(fuel_l) < 999.5 else f"{fuel_l:,.0f} l"
+
+
+def clock_span(seconds: float) -> str:
+    """Return a time span as a figure: "24 min", from an hour on "1:05 h"."""
+    hours, minutes = divmod(round(seconds / 60), 60)
+    return f"{hours:,}:{minutes:02d} h" if hours else f"{minutes} min"
 
 
 def percent(share: float) -> str:

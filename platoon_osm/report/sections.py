@@ -6,7 +6,7 @@ Also which lane of the drawing each gets, so that lines on one road lie side by 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..planning.plans import JointPlan, Leg
@@ -40,11 +40,13 @@ class PlatoonPart:
     edges : edge ids in driving order.
     beside : number of vehicles in each band on the road, from left to right.
     place : which of those bands is this one's.
+    opposite_m : how far away others drive the other way; None if none do.
     """
 
     edges: tuple[int, ...]
     beside: tuple[int, ...]
     place: int
+    opposite_m: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,12 +58,14 @@ class SoloPart:
     edges : edge ids in driving order.
     slot, slots : this vehicle's place among the solo vehicles on the road, and their number.
     bands : vehicles in each platoon on the same road, beside whose bands the line is drawn.
+    opposite_m : how far away others drive the other way; None if none do.
     """
 
     edges: tuple[int, ...]
     slot: int
     slots: int
     bands: tuple[int, ...]
+    opposite_m: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,17 +137,25 @@ def platoon_groups(sections: Sequence[PlatoonSection], vehicles: int) -> list[tu
     return [tuple(group) for group in members.values() if len(group) > 1]
 
 
-def platoon_parts(sections: Sequence[PlatoonSection]) -> list[tuple[PlatoonPart, ...]]:
-    """Cut each section where other platoons come onto its road or leave it."""
+NOBODY: Mapping[int, int] = {}
+
+
+def platoon_parts(
+    sections: Sequence[PlatoonSection], opposite: Mapping[int, int] = NOBODY
+) -> list[tuple[PlatoonPart, ...]]:
+    """Cut each section where others come onto its road, or beside it, or leave it.
+
+    `opposite` tells how far from an edge others drive the other way, as `opposite_gaps` finds it.
+    """
     on_edge = _bands(sections)
     result: list[tuple[PlatoonPart, ...]] = []
     for number, section in enumerate(sections):
         parts: list[PlatoonPart] = []
         for edge in section.edges:
             beside = tuple(len(sections[other].vehicles) for other in on_edge[edge])
-            lane = beside, on_edge[edge].index(number)
+            lane = beside, on_edge[edge].index(number), opposite.get(edge)
             last = parts[-1] if parts else None
-            if last and (last.beside, last.place) == lane:
+            if last and (last.beside, last.place, last.opposite_m) == lane:
                 parts[-1] = PlatoonPart((*last.edges, edge), *lane)
             else:
                 parts.append(PlatoonPart((edge,), *lane))
@@ -161,7 +173,9 @@ def _bands(sections: Sequence[PlatoonSection]) -> dict[int, list[int]]:
 
 
 def solo_stretches(
-    plan: JointPlan, sections: Sequence[PlatoonSection] | None = None
+    plan: JointPlan,
+    sections: Sequence[PlatoonSection] | None = None,
+    opposite: Mapping[int, int] = NOBODY,
 ) -> Iterator[SoloStretch]:
     """Yield the solo legs of all vehicles, each cut into parts of one lane."""
     sections = platoon_sections(plan) if sections is None else sections
@@ -179,9 +193,9 @@ def solo_stretches(
             parts: list[SoloPart] = []
             for edge in leg.edges:
                 beside = tuple(len(sections[other].vehicles) for other in bands.get(edge, ()))
-                lane = alone[edge].index(index), len(alone[edge]), beside
+                lane = alone[edge].index(index), len(alone[edge]), beside, opposite.get(edge)
                 last = parts[-1] if parts else None
-                if last and (last.slot, last.slots, last.bands) == lane:
+                if last and (last.slot, last.slots, last.bands, last.opposite_m) == lane:
                     parts[-1] = SoloPart((*last.edges, edge), *lane)
                 else:
                     parts.append(SoloPart((edge,), *lane))

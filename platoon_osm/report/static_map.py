@@ -8,31 +8,31 @@ from typing import Any
 
 from .basemap import BASEMAP_STEPS, ROUTE_STEPS
 from .fragments import Markup, fill, join
-from .map_texts import placed_callouts, placed_names
+from .map_texts import NAME_SIZE, placed_callouts, placed_names
 from .map_view import (
     MapView,
     Point,
     band_aside,
     band_lines,
     band_width,
+    laid,
     path_data,
-    shifted,
     solo_aside,
     solo_step,
 )
 from .placement import Box, Cover
 from .polyline import decode_lines, decode_polyline
+from .static_marks import event_places, placed_marks
 
-__all__ = ["small_maps", "static_map"]
-
-CROWD_COLOUR = "#4d5560"
-LETTER_SIZE = {1: 11.0, 2: 9.0, 3: 8.0}
+__all__ = ["NARROW", "small_maps", "static_map", "static_texts", "town_names"]
 
 CROWD = 8
 """Lines of more vehicles than this are too thin for dashes."""
 
-MOST_ENDS = 3
-"""More starts or destinations than this on one spot become one mark that counts them."""
+NARROW = 2.1
+"""How much larger marks and names are drawn for a screen that shows the map at half its size."""
+
+SMALL_NARROW = 1.75
 
 
 def static_map(document: dict[str, Any]) -> Markup:
@@ -41,11 +41,12 @@ def static_map(document: dict[str, Any]) -> Markup:
     cover = Cover(view.width, view.height)
     vehicles = document["vehicles"]
     routes = list(_routes(document, view, cover))
-    marks = list(_marks(document, view, cover))
+    narrow = cover.copy()
+    marks = join(placed_marks(document, view, cover))
     scale = _scale(view, cover)
     # Callouts choose their place before names do: they matter more.
-    callouts = list(_callouts(document, view, cover))
-    names = list(_names(document, view, cover))
+    callouts = join(_callouts(document, view, cover))
+    names = join(town_names(document, view, cover))
     return fill(
         "static-map",
         width=f"{view.width:g}",
@@ -60,12 +61,13 @@ def static_map(document: dict[str, Any]) -> Markup:
             [decode_polyline(line, ROUTE_STEPS) for line in document["inferred_routes"]]
         ),
         routes=join(routes),
-        names=join(names),
-        marks=join(marks),
-        callouts=join(callouts),
+        wide=static_texts("wide", names, marks, callouts),
+        narrow=_narrow_texts(document, view, narrow, NARROW),
         scale=scale,
     )  # fmt: skip
 
+
+NOTHING = Markup("")
 
 SMALL_WIDTH, SMALL_HEIGHT = 640.0, 400.0
 SMALL_NETWORK_DATA = 40_000
@@ -87,7 +89,9 @@ def small_maps(documents: Sequence[dict[str, Any]]) -> list[Markup]:
     for document in documents:
         cover = Cover(view.width, view.height)
         routes = join(_routes(document, view, cover))
-        marks = join(_marks(document, view, cover))
+        narrow = cover.copy()
+        marks = join(placed_marks(document, view, cover))
+        names = join(town_names(document, view, cover))
         maps.append(
             fill(
                 "small-map",
@@ -96,20 +100,37 @@ def small_maps(documents: Sequence[dict[str, Any]]) -> list[Markup]:
                 title=f"Map: {document['title']}, {document['subtitle']}",
                 network=Markup("") if maps else network,
                 routes=routes,
-                marks=marks,
-                names=join(_names(document, view, cover)),
+                wide=static_texts("wide", names, marks),
+                narrow=_narrow_texts(document, view, narrow, SMALL_NARROW),
             )
         )
     return maps
+
+
+def static_texts(
+    kind: str, names: Markup, marks: Markup, callouts: Markup = NOTHING, scale: float = 1.0
+) -> Markup:
+    """Return what is written on a map for "wide" or "narrow" screens, the latter larger."""
+    return fill(
+        "static-texts", kind=kind, names=names, marks=marks, callouts=callouts,
+        size=f"{NAME_SIZE * scale:g}", halo=f"{3 * scale:g}",
+    )  # fmt: skip
+
+
+def _narrow_texts(document: dict[str, Any], view: MapView, cover: Cover, scale: float) -> Markup:
+    """Return marks and names larger, and so fewer, for narrow screens; callouts have no room."""
+    marks = join(placed_marks(document, view, cover, scale))
+    names = join(town_names(document, view, cover, scale))
+    return static_texts("narrow", names, marks, scale=scale)
 
 
 def _routes(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[Markup]:
     vehicles = document["vehicles"]
     solo_lines: list[tuple[str, dict[str, Any], float]] = []
     for solo in document["solos"]:
-        points: list[Point] = []
-        for part in solo["parts"]:
-            points += shifted(view.route(part["line"]), solo_aside(part))
+        points = laid(
+            [(view.route(part["line"]), solo_aside(part, view)) for part in solo["parts"]]
+        )
         cover.add_line(points)
         slots = max((part["slots"] for part in solo["parts"]), default=1)
         width = min(3.6, max(1.3, solo_step(slots) * 0.8))
@@ -130,12 +151,12 @@ def _routes(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[M
         )  # fmt: skip
     for section in document["platoons"]:
         count = len(section["vehicles"])
-        lanes = [(view.route(part["line"]), band_aside(part)) for part in section["parts"]]
+        lanes = [(view.route(part["line"]), band_aside(part, view)) for part in section["parts"]]
         step, width = band_lines(count)
         inner = band_width(count)
 
         def line(aside: float, lanes: Any = lanes) -> list[Point]:
-            return [point for points, band in lanes for point in shifted(points, band + aside)]
+            return laid([(points, band + aside) for points, band in lanes])
 
         yield fill(
             "static-band", path=path_data(line(0.0)), outer=f"{inner + 2:g}", inner=f"{inner:g}"
@@ -150,63 +171,9 @@ def _routes(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[M
             )  # fmt: skip
 
 
-# Places round a spot in pixels, near ones first; sideways before up and down.
-_FAN = sorted(
-    ((x, y) for x in range(-60, 61, 12) for y in (-40, -20, 0, 20, 40)),
-    key=lambda move: (math.hypot(move[0], 1.3 * move[1]), move),
-)
-
-
-def _beside(x: float, y: float, taken: list[Point]) -> Point:
-    """Return where a mark near (x, y) covers none before it; where it is, if all is taken."""
-    place = next(
-        (
-            (x + right, y + down)
-            for right, down in _FAN
-            if all(abs(x + right - a) > 19 or abs(y + down - b) > 19 for a, b in taken)
-        ),
-        (x, y),
-    )
-    taken.append(place)
-    return place
-
-
-def _marks(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[Markup]:
-    taken: list[Point] = []
-    for end, fragment, word in (
-        ("origin", "static-start", "from"),
-        ("destination", "static-end", "to"),
-    ):
-        spots: dict[Point, list[dict[str, Any]]] = {}
-        for vehicle in document["vehicles"]:
-            spots.setdefault((vehicle[end]["lon"], vehicle[end]["lat"]), []).append(vehicle)
-        for at, vehicles in spots.items():
-            x, y = view.at(*at)
-            letters = ", ".join(vehicle["letter"] for vehicle in vehicles)
-            faces = [(vehicle["colour"], vehicle["letter"]) for vehicle in vehicles]
-            if len(vehicles) > MOST_ENDS:
-                faces = [(CROWD_COLOUR, f"{len(vehicles)}\u00d7")]
-            for place, (colour, letter) in enumerate(faces):
-                left, top = _beside(x + 21 * (place - (len(faces) - 1) / 2), y, taken)
-                cover.add_box(Box(left - 10, top - 10, 20, 20))
-                yield fill(
-                    fragment, x=f"{left:.1f}", y=f"{top:.1f}", colour=colour, letter=letter,
-                    size=LETTER_SIZE[min(len(letter), 3)],
-                    title=f"{letters} {word} {vehicles[0][end]['name']}",
-                )  # fmt: skip
-    for event in document["events"]:
-        x, y = view.at(event["lon"], event["lat"])
-        x, y = _beside(x, y, taken)
-        cover.add_box(Box(x - 12, y - 12, 24, 24))
-        yield fill(
-            "static-event", x=f"{x:.1f}", y=f"{y:.1f}", icon=event["kind"],
-            title=f"{event['name']}: {event['text']}",
-        )  # fmt: skip
-
-
 def _callouts(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[Markup]:
-    for one in placed_callouts(document, view, cover):
-        leader = Markup("")
+    for one in placed_callouts(document, view, cover, event_places(document, view)):
+        leader = NOTHING
         if one.near:
             x2, y2 = one.near
             leader = fill(
@@ -221,17 +188,22 @@ def _callouts(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator
         )  # fmt: skip
 
 
-def _names(document: dict[str, Any], view: MapView, cover: Cover) -> Iterator[Markup]:
-    for text, box in placed_names(document, view, cover):
-        yield fill("static-name", x=f"{box.left + 4:.1f}", y=f"{box.top + 13:.1f}", text=text)
+def town_names(
+    document: dict[str, Any], view: MapView, cover: Cover, scale: float = 1.0
+) -> Iterator[Markup]:
+    """Yield the names of towns that find room."""
+    for text, box in placed_names(document, view, cover, scale):
+        yield fill(
+            "static-name", x=f"{box.left + 4 * scale:.1f}", y=f"{box.top + 13 * scale:.1f}",
+            text=text,
+        )  # fmt: skip
 
 
 def _scale(view: MapView, cover: Cover) -> Markup:
-    metres_per_pixel = 111_320 * math.cos(math.radians(view.latitude)) / max(view.per_degree, 1e-9)
-    widest = 120 * metres_per_pixel
+    widest = 120 * view.metres_per_pixel
     step = 10 ** math.floor(math.log10(widest))
     length = max(factor * step for factor in (1, 2, 5) if factor * step <= widest)
-    width = length / metres_per_pixel
+    width = length / view.metres_per_pixel
     cover.add_box(Box(4, view.height - 32, width + 20, 30))
     return fill(
         "static-scale", y=f"{view.height - 14:g}", width=f"{width:.1f}", text=_round_length(length)

@@ -74,6 +74,9 @@ TOWNS = {
     "Cuneo": (7.547, 44.389, 56_000), "Belluno": (12.217, 46.138, 36_000),
 }  # fmt: skip
 
+NAMELESS = {"Imola": "52"}
+"""Junctions that have no name but an exit number."""
+
 Rename = Callable[[str], str]
 
 
@@ -85,6 +88,7 @@ def po_valley(rename: Rename = str, source: Source | None = None) -> RoadNetwork
     tail: list[int] = []
     head: list[int] = []
     refs: list[str] = []
+    plain_refs: list[str] = []
     inferred: list[bool] = []
     shapes: list[np.ndarray] = []
     for ref, stops in ROADS.items():
@@ -100,13 +104,18 @@ def po_valley(rename: Rename = str, source: Source | None = None) -> RoadNetwork
                 tail.append(ends[0])
                 head.append(ends[1])
                 refs.append(rename(ref))
+                plain_refs.append(ref)
                 inferred.append((a, b) == ("Piacenza Sud", "Cremona"))
                 shapes.append(points)
     first = np.concatenate([[0], np.cumsum([len(shape) for shape in shapes])])
     flat = np.vstack(shapes)
-    node_names = [rename(name) for name in names]
+    node_names = ["" if name in NAMELESS else rename(name) for name in names]
+    exits = [rename(NAMELESS.get(name, str(number))) for number, name in enumerate(names, 1)]
+    road_names = [rename(f"Autostrada {ref}") for ref in plain_refs]
     town_names = [rename(name) for name in TOWNS]
-    texts, (node_codes, ref_codes, town_codes) = encode_texts(node_names, refs, town_names)
+    texts, (node_codes, exit_codes, ref_codes, name_codes, town_codes) = encode_texts(
+        node_names, exits, refs, road_names, town_names
+    )
     city, town = POINT_KINDS.index("city"), POINT_KINDS.index("town")
     points = NamedPoints(
         np.array([lon for lon, _, _ in TOWNS.values()]),
@@ -117,6 +126,7 @@ def po_valley(rename: Rename = str, source: Source | None = None) -> RoadNetwork
     )
     return RoadNetwork.from_edges(
         tail, head, lon=at[:, 0], lat=at[:, 1], node_name=node_codes, ref=ref_codes,
+        node_ref=exit_codes, name=name_codes,
         inferred=inferred, shape_first=first, shape_lon=flat[:, 0], shape_lat=flat[:, 1],
         texts=texts, points=points,
         source=source or Source(

@@ -18,6 +18,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.fragments import asset, compact_asset
+from platoon_osm.report.page import SCRIPTS
 
 Visit = Callable[..., Any]
 
@@ -184,7 +185,7 @@ def test_flow_colours_are_told_apart_in_grey() -> None:
     assert all(contrast(a, b) > 1.35 for a, b in pairwise(COLOURS))
 
 
-@pytest.mark.parametrize("name", ["page.js", "journey.js", "flows.js", "page.css"])
+@pytest.mark.parametrize("name", [*SCRIPTS, "flows.js", "page.css"])
 def test_no_text_runs_over_a_line_end(name: str) -> None:
     """So that indents and whole-line comments may be left out of a page."""
     for line in asset(name).splitlines():

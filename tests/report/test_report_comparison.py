@@ -130,3 +130,29 @@ def test_bars_add_up(page_file: Path, plans: Sequence[JointPlan], visit: Visit) 
     )
     assert lengths[2] == 0
     assert lengths[0] / lengths[1] == pytest.approx(plans[0].saving / plans[1].saving, rel=0.01)
+
+
+LEGIBLE = """() => [...document.querySelectorAll('svg text')]
+  .filter(e => e.getBoundingClientRect().width)
+  .map(e => [e.getScreenCTM().a * parseFloat(getComputedStyle(e).fontSize), e.textContent])"""
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 900, 600, 390])
+def test_texts_of_drawings_are_legible(page_file: Path, visit: Visit, width: int) -> None:
+    page = visit(page_file, width, 900, wait_for=None).page
+    texts = page.evaluate(LEGIBLE)
+    assert len(texts) > 30
+    small = [text for size, text in texts if size < 9.4 and len(text) > 2]
+    assert small == []
+    assert page.locator(".small-map .names text:visible").count() >= 9
+
+
+@browser
+def test_tables_keep_their_first_column_on_a_small_screen(page_file: Path, visit: Visit) -> None:
+    page = visit(page_file, 390, 844, wait_for=None).page
+    for table in page.locator(".table-box table").all():
+        head = table.locator("tbody th").first
+        assert head.bounding_box()["width"] >= 120
+        table.evaluate("e => { e.parentElement.scrollLeft = 500; }")
+        assert head.bounding_box()["x"] >= 0

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import csv
+import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
 from pathlib import Path
@@ -15,7 +18,9 @@ import pytest
 from hostile_names import HOSTILE
 from po_valley import THREE, make_plan, po_valley
 
+from platoon_osm.display import offered
 from platoon_osm.errors import ScenarioError
+from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
 from platoon_osm.report import explore, write_csv, write_figures, write_gpx
@@ -63,12 +68,14 @@ def test_same_plan_same_figures(plan: JointPlan, net: RoadNetwork, tmp_path: Pat
         assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
 
 
-@pytest.mark.parametrize("start", range(0, len(HOSTILE), 24))
+@pytest.mark.parametrize("start", range(0, len(HOSTILE), 12))
 def test_names_in_figures_are_drawn_as_they_stand(start: int, tmp_path: Path) -> None:
     net = po_valley(spoiler(start))
     plan = make_plan(net, THREE, spoiler(start))
     for path in write_figures(plan, net, tmp_path, formats=("svg",)):
-        tags = {element.tag for element in ElementTree.parse(path).iter()}
+        elements = list(ElementTree.parse(path).iter())
+        tags = {element.tag for element in elements}
+        assert not any(key.startswith("on") for element in elements for key in element.attrib)
         assert not tags & {f"{SVG}script", f"{SVG}image", f"{SVG}foreignObject", f"{SVG}a"}
 
 
@@ -112,8 +119,9 @@ def test_csv_opens_again(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> N
 
 @pytest.mark.parametrize("start", range(len(HOSTILE)))
 def test_hostile_names_in_tracks(start: int, tmp_path: Path) -> None:
-    net = po_valley()
-    plan = make_plan(net, THREE, lambda name: f"{HOSTILE[start]} {name}")
+    one = HOSTILE[start]
+    net = po_valley(lambda name: f"{one}{name}", Source(one, one, one, one, one))
+    plan = make_plan(net, THREE, lambda name: f"{one} {name}", unit=one, version=one)
     for path, vehicle in zip(write_gpx(plan, net, tmp_path), plan.vehicles, strict=True):
         assert path.parent == tmp_path
         names = [element.text for element in ElementTree.parse(path).iter() if element.text]
@@ -124,7 +132,9 @@ def test_hostile_names_in_tracks(start: int, tmp_path: Path) -> None:
     found = [row["vehicle"] for row in rows if row["leg"] == "1"]
     for cell, vehicle in zip(found, plan.vehicles, strict=True):
         assert cell in (shown(vehicle.vehicle), f"'{shown(vehicle.vehicle)}")
-    assert not any(cell.startswith(("=", "+", "-", "@")) for row in rows for cell in row.values())
+    signs = ("=", "+", "-", "@", "\t", "\r", "\n", "\uff1d")
+    assert not any(cell.startswith(signs) for row in rows for cell in row.values())
+    assert all(None not in row for row in rows), "a name made a cell of its own"
 
 
 def test_a_formula_stays_a_text(net: RoadNetwork, tmp_path: Path) -> None:
@@ -148,3 +158,54 @@ def test_explore_shows_in_a_notebook(
     assert page.locator("iframe").bounding_box()["height"] == pytest.approx(700, abs=6)
     assert page.frame_locator("iframe").locator(".event-mark").count() == 4
     assert opened.complaints == []
+
+
+@pytest.mark.browser
+def test_a_plan_explores_itself(
+    plan: JointPlan, net: RoadNetwork, visit: Callable[..., Any], tmp_path: Path
+) -> None:
+    path = tmp_path / "notebook.html"
+    shown_map = plan.explore(net, height=500, title="Own title")
+    path.write_text(f"<!DOCTYPE html><body>{shown_map._repr_html_()}</body>")
+    page = visit(path, wait_for="iframe").page
+    frame = page.frame_locator("iframe")
+    frame.locator("#map_plan[data-ready]").wait_for()
+    assert frame.locator("h1").inner_text() == "Own title"
+
+
+def test_a_notebook_shows_the_table_of_a_plan(plan: JointPlan) -> None:
+    rows = re.findall(r"<tr>(.*?)</tr>", plan._repr_html_())
+    cells = [re.sub("<[^>]*>", "|", row).replace("||", "|") for row in rows]
+    assert [cell.strip("|").split("|")[0] for cell in cells] == [
+        "Vehicle", "A", "B", "C", "All vehicles",
+    ]  # fmt: skip
+    assert "Torino| \u2192 |Trieste" in cells[1]
+
+
+@pytest.mark.parametrize("start", range(0, len(HOSTILE), 12))
+def test_hostile_names_in_a_notebook_stay_names(start: int) -> None:
+    name = HOSTILE[start]
+    plan = make_plan(
+        po_valley(lambda text: f"{text} {name}"), THREE, lambda text: f"{text} {name}", case=name
+    )
+    html = plan._repr_html_()
+    assert set(re.findall(r"<([a-z]+)", html)) == {
+        "table", "caption", "bdi", "thead", "tr", "th", "tbody", "td", "tfoot",
+    }  # fmt: skip
+
+
+def test_a_plan_alone_loads_no_report() -> None:
+    code = (
+        "import sys, platoon_osm; from platoon_osm.planning.plans import JointPlan\n"
+        "assert JointPlan.explore\n"
+        "print([m for m in sys.modules if m.startswith('platoon_osm.report')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert done.stdout.strip() == "[]"
+
+
+def test_what_nobody_offers_is_said() -> None:
+    with pytest.raises(LookupError, match="nobody offers 'nonsense'"):
+        offered("nonsense")

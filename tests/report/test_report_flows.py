@@ -126,3 +126,16 @@ def test_without_javascript_all_is_listed(page_file: Path, visit: Visit) -> None
     assert shown_names(opened.page) == ["Platoon 1", "Platoon 2"]
     assert not opened.page.locator(".filter").is_visible()
     opened.check(page_file)
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 390])
+def test_names_are_legible(page_file: Path, visit: Visit, width: int) -> None:
+    page = visit(page_file, width, 900, wait_for="html[data-ready]").page
+    sizes = page.evaluate(
+        """[...document.querySelectorAll('.names text')]
+          .filter(e => e.getBoundingClientRect().width)
+          .map(e => e.getScreenCTM().a * parseFloat(getComputedStyle(e).fontSize))"""
+    )
+    assert len(sizes) > 8
+    assert min(sizes) > 9.4

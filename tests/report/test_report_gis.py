@@ -11,9 +11,11 @@ from hostile_names import HOSTILE
 from po_valley import THREE, make_plan, po_valley
 
 from platoon_osm.errors import ScenarioError
+from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
 from platoon_osm.report import to_geodataframe, write_geopackage
+from platoon_osm.report.shown_text import shown
 
 
 def test_legs_as_a_frame(plan: JointPlan, net: RoadNetwork) -> None:
@@ -68,14 +70,38 @@ def test_no_folder_is_said_in_one_line(plan: JointPlan, net: RoadNetwork, tmp_pa
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("start", range(0, len(HOSTILE), 16))
+@pytest.mark.parametrize("start", range(0, len(HOSTILE), 6))
 def test_hostile_names_are_kept(start: int, tmp_path: Path) -> None:
-    def spoiled(name: str) -> str:
-        return f"{name} {HOSTILE[(start + len(name)) % len(HOSTILE)]}"
+    """In every text of every layer, as they are shown elsewhere."""
+    given: dict[str, str] = {}
 
-    net = po_valley(spoiled)
-    plan = make_plan(net, THREE, spoiled)
-    write_geopackage(plan, net, tmp_path / "plan.gpkg")
-    routes = geopandas.read_file(tmp_path / "plan.gpkg", layer="routes")
+    def spoiled(name: str) -> str:
+        return given.setdefault(name, f"{name} {HOSTILE[(start + len(given)) % len(HOSTILE)]}")
+
+    one = HOSTILE[start]
+    net = po_valley(spoiled, Source(one, one, one, one, one))
+    plan = make_plan(
+        net, THREE, spoiled, case=one, asked=one, objective=one, method=one, unit=one,
+        version=one, remarks=(one,), params={one: one}, proof={"kind": one, "conditions": [one]},
+    )  # fmt: skip
+    path = tmp_path / "plan.gpkg"
+    write_geopackage(plan, net, path)
+    routes = geopandas.read_file(path, layer="routes")
     assert len(routes) == 13
-    assert routes["origin"].str.startswith(("Torino", "Genova", "Chiasso")).all()
+    for vehicle in plan.vehicles:
+        own = routes[routes["vehicle"] == shown(vehicle.vehicle)]
+        assert set(own["origin"]) == {shown(vehicle.origin.name)}
+        assert set(own["destination"]) == {shown(vehicle.destination.name)}
+    network = geopandas.read_file(path, layer="network").sort_values("edge")
+    texts = [shown(text) for text in net.texts]
+    # What a name may be reduced to is nothing, which a GIS reads as none.
+    assert list(network["ref"].fillna("")) == [texts[code] for code in net.ref]
+    assert list(network["name"].fillna("")) == [texts[code] for code in net.name]
+    points = geopandas.read_file(path, layer="points")
+    stops = {shown(stop.name) for v in plan.vehicles for stop in (v.origin, v.destination)}
+    assert stops <= set(points["name"])
+    platoons = geopandas.read_file(path, layer="platoons")
+    assert all(shown(plan.vehicles[0].vehicle) in who for who in platoons["vehicles"])
+    about = pyogrio.read_dataframe(path, layer="about")
+    assert {shown(one), ""} >= set(about[about["item"] == "remark"]["text"].fillna(""))
+    assert f"parameter {shown(one)}".strip() in set(about["item"])

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import pytest
+from po_valley import fifty, make_plan
 
+import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
 from platoon_osm.report import report_document, write_html
+from platoon_osm.report.fragments import fill
 from platoon_osm.report.map_view import bands_width
+from platoon_osm.report.panel import page_body
 from platoon_osm.report.sections import platoon_groups, platoon_parts, platoon_sections
 
 Visit = Callable[..., Any]
@@ -130,3 +135,187 @@ def test_ids_are_used_once(two_file: Path) -> None:
     text = re.sub(r"<script.*?</script>", "", two_file.read_text(), flags=re.S)
     ids = re.findall(r'\sid="([^"]+)"', text)
     assert len(ids) == len(set(ids))
+
+
+# -- legend ----------------------------------------------------------------------------------------
+
+
+@browser
+def test_legend_hides_a_platoon_by_keyboard(two_file: Path, visit: Visit) -> None:
+    opened = visit(two_file)
+    page = opened.page
+    count = "name => document.querySelectorAll(name).length"
+    bands = page.evaluate(count, '#map_plan path[stroke="#ffd54a"]')
+    head = page.get_by_role("checkbox", name="Platoon 2")
+    head.focus()
+    page.keyboard.press("Space")
+    left = page.evaluate(count, '#map_plan path[stroke="#ffd54a"]')
+    assert 0 < left < bands
+    boxes = [page.locator(f'[data-layer="vehicle-{index}"]') for index in range(7)]
+    assert [box.is_checked() for box in boxes] == [True, True, True, False, False, False, True]
+    # One of its vehicles back: the head is undecided, and the bands it drives in are there.
+    boxes[4].check()
+    assert head.evaluate("e => [e.checked, e.indeterminate]") == [True, True]
+    assert page.evaluate(count, '#map_plan path[stroke="#ffd54a"]') > left
+    head.focus()
+    page.keyboard.press("Space")
+    page.keyboard.press("Space")
+    assert head.evaluate("e => [e.checked, e.indeterminate]") == [True, False]
+    assert page.evaluate(count, '#map_plan path[stroke="#ffd54a"]') == bands
+    opened.check(two_file)
+
+
+@browser
+def test_bands_shown_again_lie_under_their_lines(two_file: Path, visit: Visit) -> None:
+    page = visit(two_file).page
+    drawn = """[...document.querySelectorAll('.leaflet-platoons-pane path')]
+      .map(e => e.getAttribute('stroke') === '#ffd54a' ? 'band'
+        : e.getAttribute('stroke') === '#8a6a00' ? 'casing' : 'line')"""
+    before = page.evaluate(drawn)
+    page.get_by_role("checkbox", name="Platoon 1").click()
+    page.get_by_role("checkbox", name="Platoon 1").click()
+    assert page.evaluate(drawn) == before
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 390])
+def test_legend_of_a_crowd_is_grouped(
+    many: JointPlan, net: RoadNetwork, visit: Visit, tmp_path: Path, width: int
+) -> None:
+    path = tmp_path / "many.html"
+    write_html(many, net, path)
+    opened = visit(path, width, 900)
+    page = opened.page
+    if width == 390:
+        page.get_by_role("button", name="Legend").click()
+    assert page.locator(".legend-group").count() == 2
+    first = page.locator('[data-layer="vehicle-1"]')
+    assert not first.is_visible()
+    page.locator(".legend-vehicles > summary").first.focus()
+    page.keyboard.press("Enter")
+    assert first.is_visible()
+    box = page.locator("#legend").bounding_box()
+    assert box["y"] + box["height"] <= 900
+    page.locator("[data-all-vehicles]").uncheck()
+    assert page.locator("#map_plan .mark").count() == 0
+    assert page.locator('#map_plan path[stroke="#ffd54a"]').count() == 0
+    page.locator('[data-layer="vehicle-1"]').check()
+    assert page.locator("#map_plan .mark.end").count() == 2
+    page.keyboard.press("Escape")
+    if width == 390:
+        assert not page.locator("#legend").is_visible()
+    opened.check(path)
+
+
+# -- marks -----------------------------------------------------------------------------------------
+
+MARKS = """() => [...document.querySelectorAll('#map_plan .mark')].map(e => {
+  const b = e.getBoundingClientRect();
+  return [b.left + b.width / 2, b.top + b.height / 2, b.width, e.getAttribute('aria-label')];
+})"""
+
+
+@browser
+@pytest.mark.parametrize(("width", "most"), [(1440, 75), (390, 50)])
+def test_a_crowd_is_counted_until_one_zooms_in(
+    many: JointPlan, net: RoadNetwork, visit: Visit, tmp_path: Path, width: int, most: int
+) -> None:
+    path = tmp_path / "many.html"
+    write_html(many, net, path)
+    page = visit(path, width, 844).page
+    marks = page.evaluate(MARKS)
+    assert 10 < len(marks) <= most
+    # Every mark can be told from the others.
+    for i, (x, y, size, label) in enumerate(marks):
+        for other_x, other_y, _, other in marks[:i]:
+            apart = max(abs(x - other_x), abs(y - other_y))
+            assert apart > 0.6 * size, f"{label} covers {other}"
+    # Every vehicle is in the label of one start and one destination.
+    letters = [part for *_, label in marks for part in re.findall(r"\b[A-Z]{1,2}\b", label)]
+    for index in range(50):
+        letter = chr(65 + index) if index < 26 else "A" + chr(65 + index - 26)
+        assert letters.count(letter) >= 2, letter
+    few = page.locator("#map_plan .mark.end").count()
+    page.evaluate("map_plan.setZoom(10, {animate: false})")
+    assert page.locator("#map_plan .mark.end").count() >= few
+
+
+@browser
+def test_merges_stand_where_they_are(two_file: Path, visit: Visit) -> None:
+    """Starts and destinations make room for them, and are tied to their own places."""
+    page = visit(two_file).page
+    page.evaluate("map_plan.setZoom(10, {animate: false})")
+    moves = page.evaluate(
+        """[...document.querySelectorAll('#map_plan .event-mark')].map(e => Math.hypot(
+          parseFloat(e.style.marginLeft) + e.offsetWidth / 2,
+          parseFloat(e.style.marginTop) + e.offsetHeight / 2))"""
+    )
+    # At Rho-Pero two merges share one spot: one of them stays.
+    assert sum(move < 1 for move in moves) >= len(moves) - 2
+    assert page.locator(".leaflet-ties-pane line").count() > 0
+
+
+# -- print -----------------------------------------------------------------------------------------
+
+
+def pages_of(page: Any) -> int:
+    page.emulate_media(media="print")
+    return len(re.findall(rb"/Type\s*/Page[^s]", page.pdf(prefer_css_page_size=True)))
+
+
+@browser
+@pytest.mark.parametrize("vehicles", [1, 2, 8, 9, 20, 50])
+def test_any_plan_prints_on_two_pages(
+    net: RoadNetwork, visit: Visit, tmp_path: Path, vehicles: int
+) -> None:
+    path = tmp_path / "plan.html"
+    write_html(make_plan(net, fifty()[:vehicles]), net, path)
+    page = visit(path).page
+    assert pages_of(page) <= 2
+    # Nothing is left out but charts that say what the tables say, and nothing is tiny.
+    assert page.locator(".costs tbody tr:visible").count() >= vehicles
+    assert page.locator(".legend label:visible").count() > vehicles
+    assert page.locator(".event:visible").count() == page.locator(".event").count()
+    sizes = page.evaluate(
+        """[...document.querySelectorAll('.panel td, .panel th, .panel small, .panel li, .panel dd,'
+          + '.legend .text')].filter(e => e.checkVisibility())
+          .map(e => parseFloat(getComputedStyle(e).fontSize) * 0.75)"""
+    )
+    assert min(sizes) >= 6.4
+    assert page.evaluate("document.documentElement.scrollWidth") <= 1440
+
+
+@browser
+def test_several_platoons_print_on_two_pages(two_file: Path, visit: Visit) -> None:
+    page = visit(two_file).page
+    assert pages_of(page) <= 2
+    assert page.locator(".along:visible").count() == 2
+
+
+@browser
+@pytest.mark.parametrize("vehicles", [3, 8, 20])
+def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, vehicles: int) -> None:
+    net = platoon_osm.load_network("italy-motorways")
+    towns = ["Torino", "Trieste", "Milano", "Bologna", "Padova", "Verona", "Genova", "Brescia"]
+    start = datetime(2026, 3, 2, 5, 0)
+    trips = [
+        platoon_osm.Trip(
+            f"Truck {k + 1}",
+            net.locate(towns[k % 8]),
+            net.locate(towns[(k * 3 + 1) % 8]),
+            earliest_departure=start + timedelta(minutes=7 * k),
+        )
+        for k in range(vehicles)
+    ]
+    plan = platoon_osm.plan_joint(net, platoon_osm.paper_weights(net), trips, case="C")
+    path = tmp_path / "timed.html"
+    write_html(plan, net, path)
+    assert pages_of(visit(path).page) <= 2
+
+
+def test_those_of_one_reason_share_a_note(many: JointPlan, net: RoadNetwork) -> None:
+    alone = [v for v in report_document(many, net)["vehicles"] if v["role"] == "alone"]
+    text = page_body(report_document(many, net) | {"tiles": None}, fill("nothing"))
+    notes = re.findall(r"<span>([A-Z, ]+) stay alone: <bdi>", text)
+    assert len(notes) == 1
+    assert notes[0].split(", ") == [vehicle["letter"] for vehicle in alone]

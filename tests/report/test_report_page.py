@@ -61,7 +61,7 @@ def test_page_asks_for_nothing_from_outside(page_file: Path) -> None:
 
 
 def test_size_budget(page_file: Path, many_file: Path) -> None:
-    assert page_file.stat().st_size < 270_000
+    assert page_file.stat().st_size < 285_000
     assert many_file.stat().st_size < 600_000
 
 
@@ -140,6 +140,48 @@ def test_layout(page_file: Path, visit: Visit, width: int, height: int) -> None:
     assert page.evaluate("document.documentElement.scrollWidth") <= width
     assert page.locator(".legend").is_visible() == (width >= 900)
     opened.check(page_file)
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 900, 899, 600, 390])
+def test_who_made_the_map_is_told_in_full(page_file: Path, visit: Visit, width: int) -> None:
+    page = visit(page_file, width, 900).page
+    credit = page.locator(".credit")
+    assert "OpenStreetMap contributors" in credit.inner_text()
+    assert credit.evaluate(
+        "e => e.scrollHeight <= e.clientHeight && e.scrollWidth <= e.clientWidth"
+    )
+    # Neither it nor the slider hides the scale.
+    boxes = page.evaluate(
+        """['.credit', '.journey', '.leaflet-control-scale']
+          .map(name => document.querySelector(name).getBoundingClientRect().toJSON())"""
+    )
+    scale = boxes.pop()
+    for box in boxes:
+        assert (
+            box["left"] >= scale["right"]
+            or box["top"] >= scale["bottom"]
+            or (box["bottom"] <= scale["top"])
+        )
+
+
+@browser
+def test_a_callout_points_at_its_own_mark(page_file: Path, visit: Visit) -> None:
+    """A leader ends on the mark whose callout it comes from, moved aside or not."""
+    page = visit(page_file).page
+    far = page.evaluate(
+        """() => {
+          const at = (e) => { const b = e.getBoundingClientRect();
+            return [b.left + b.width / 2, b.top + b.height / 2]; };
+          const marks = [...document.querySelectorAll('.event-mark')].map(at);
+          return [...document.querySelectorAll('.leaflet-callouts-pane line')].map(line => {
+            const b = line.ownerSVGElement.getBoundingClientRect();
+            const [x, y] = [b.left + +line.getAttribute('x1'), b.top + +line.getAttribute('y1')];
+            return Math.min(...marks.map(m => Math.hypot(m[0] - x, m[1] - y)));
+          });
+        }"""
+    )
+    assert all(distance < 3 for distance in far)
 
 
 BOXES = """() => [...document.querySelectorAll('.name, .callout')].map(e => {
@@ -327,6 +369,20 @@ def test_without_javascript_there_is_a_still_map(page_file: Path, visit: Visit) 
     assert page.locator(".costs tbody tr").count() == 3
     assert page.locator(".legend input").first.is_visible() is False
     opened.check(page_file)
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 900, 390])
+def test_without_javascript_the_legend_covers_nothing(
+    page_file: Path, visit: Visit, width: int
+) -> None:
+    page = visit(page_file, width, 900, java_script_enabled=False).page
+    drawing = page.locator(".static-map").bounding_box()
+    legend = page.locator(".legend-box").bounding_box()
+    credit = page.locator(".credit").bounding_box()
+    assert legend["y"] >= drawing["y"] + drawing["height"] - 1
+    assert credit["y"] >= legend["y"] + legend["height"] - 1
+    assert page.locator(".legend label").last.is_visible()
 
 
 @browser

@@ -1,0 +1,171 @@
+/* Starts, destinations, merges and separations: marks that keep clear of one another. */
+// oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
+function planMarks({ plan, map, hidden, tooltip }) {
+
+const { element, drawn, isolated } = pageElements;
+const frame = map.getContainer();
+
+/* Many vehicles: starts near one another become one mark that counts them, until one zooms in. */
+const crowd = plan.vehicles.length > 8;
+
+/* Of few vehicles, only more ends on one spot than this are counted. */
+const MOST_ENDS = 3;
+const END_PX = 24;
+const EVENT_PX = 28;
+const FAR_PX = 15;
+
+const marks = [];
+const eventMarks = [];
+
+function mark(latlng, picture, size, label, name, options) {
+  const icon = L.divIcon({ html: picture, className: `mark ${name}`, iconSize: [size, size] });
+  const made = L.marker(latlng, { icon, title: "", riseOnHover: true, ...options });
+  made.on("add", () => {
+    made.getElement().setAttribute("role", "button");
+    made.getElement().setAttribute("aria-label", isolated(label));
+  });
+  return made;
+}
+
+function endPicture(face, square) {
+  const shape = square
+    ? drawn("rect", { x: -9.5, y: -9.5, width: 19, height: 19, rx: 3, fill: face.colour })
+    : drawn("circle", { r: 10, fill: face.colour });
+  const text = drawn("text", {
+    y: 3.9, "text-anchor": "middle", "font-size": face.letter.length > 1 ? 9 : 11.5,
+    "font-weight": 700, fill: "#fff",
+  });
+  text.textContent = face.letter;
+  shape.setAttribute("stroke", "#fff");
+  shape.setAttribute("stroke-width", 2);
+  return drawn("svg", { viewBox: "-12 -12 24 24", width: 24, height: 24 }, shape, text);
+}
+
+function eventPicture(event) {
+  const use = drawn("use", { href: `#icon-${event.kind}` });
+  return drawn("svg", { viewBox: "-13 -13 26 26", width: 28, height: 28 }, use);
+}
+
+/* Vehicles whose ends lie on one spot; of a crowd, so near that their marks would touch. */
+function spots(stopOf) {
+  const reach = crowd ? END_PX - 2 : 0.01;
+  const found = [];
+  plan.vehicles.forEach((vehicle, index) => {
+    if (crowd && hidden.has(`vehicle-${index}`)) return;
+    const { lat, lon } = stopOf(vehicle);
+    const at = map.project([lat, lon]);
+    const near = found.find((spot) => spot.at.distanceTo(at) < reach);
+    if (near) near.who.push(index);
+    else found.push({ at, who: [index] });
+  });
+  return found.map((spot) => spot.who);
+}
+
+function drawEnds(stopOf, [one, many], square) {
+  for (const indexes of spots(stopOf)) {
+    const counted = indexes.length > (crowd ? 1 : MOST_ENDS);
+    for (const who of counted ? [indexes] : indexes.map((index) => [index])) {
+      const vehicles = who.map((index) => plan.vehicles[index]);
+      const stop = stopOf(vehicles[0]);
+      const face = counted ? { colour: "#4d5560", letter: `${who.length}\u00d7` } : vehicles[0];
+      const letters = vehicles.map((vehicle) => vehicle.letter).join(", ");
+      const names = [...new Set(vehicles.map((vehicle) => isolated(stopOf(vehicle).name)))];
+      const label = `${letters} ${counted ? many : one} ${names.join(", ")}`;
+      const made = mark([stop.lat, stop.lon], endPicture(face, square), END_PX, label, "end", {
+        zIndexOffset: 200,
+      });
+      made.bindTooltip(element("bdi", "", label), { direction: "top", offset: [0, -10], opacity: 1 });
+      marks.push({ made, layer: "ends", who, size: END_PX });
+    }
+  }
+}
+
+function drawEvents() {
+  plan.events.forEach((event) => {
+    const head = `${event.kind === "merge" ? "Merge" : "Separation"}: ${event.name}`;
+    const made = mark([event.lat, event.lon], eventPicture(event), EVENT_PX, `${head}, ${event.text}`,
+      "event-mark", { zIndexOffset: 400 });
+    const tip = tooltip({ head, lines: [event.text, event.detail] });
+    made.bindTooltip(tip, { direction: "top", offset: [0, -12], opacity: 1 });
+    eventMarks.push(made);
+    marks.push({ made, layer: event.kind, who: event.vehicles, size: EVENT_PX });
+  });
+}
+
+function drawAllEnds() {
+  drawEnds((vehicle) => vehicle.origin, ["starts at", "start at"], false);
+  drawEnds((vehicle) => vehicle.destination, ["arrives at", "arrive at"], true);
+}
+
+/* Put up the marks for this zoom. A mark is there while its layer is, and any of its vehicles. */
+function show() {
+  if (crowd) {
+    for (const { made } of marks.splice(eventMarks.length)) made.remove();
+    drawAllEnds();
+  }
+  for (const { made, layer, who } of marks) {
+    const wanted = !hidden.has(layer) && who.some((index) => !hidden.has(`vehicle-${index}`));
+    if (wanted) made.addTo(map);
+    else made.remove();
+  }
+  spread();
+}
+
+/* Places round a spot, near ones first; sideways before up and down. */
+const fan = [];
+for (let x = -3; x <= 3; x++) for (let y = -3; y <= 3; y++) fan.push([x, y]);
+fan.sort((a, b) => Math.hypot(a[0], 1.3 * a[1]) - Math.hypot(b[0], 1.3 * b[1]) || b[0] - a[0] || a[1] - b[1]);
+
+/* Marks on one spot are fanned out, so that each can be read; a crowd may still touch. Merges and
+ * separations come first, so they stay where they are; what moves far is tied to its place. */
+function spread() {
+  const taken = [];
+  const ties = map.getPane("ties");
+  ties.replaceChildren();
+  const shrink = crowd && frame.clientWidth < 600 ? 0.8 : 1;
+  for (const one of marks) {
+    const { made } = one;
+    const icon = map.hasLayer(made) && made.getElement();
+    if (!icon) continue;
+    const size = (one.size === EVENT_PX ? EVENT_PX : END_PX) * shrink;
+    const at = map.latLngToLayerPoint(made.getLatLng());
+    const places = fan.map(([x, y]) => at.add([x * (size - 3), y * (size - 3)]));
+    const free = (spot) =>
+      taken.every((p) => Math.abs(p.x - spot.x) > size - 5 || Math.abs(p.y - spot.y) > size - 5);
+    const place = places.find(free) ?? at;
+    taken.push(place);
+    one.box = { x: place.x - size / 2, y: place.y - size / 2, w: size, h: size };
+    icon.style.width = `${size}px`;
+    icon.style.height = `${size}px`;
+    icon.style.marginLeft = `${place.x - at.x - size / 2}px`;
+    icon.style.marginTop = `${place.y - at.y - size / 2}px`;
+    if (place.distanceTo(at) > FAR_PX) ties.append(tie(at, place));
+  }
+}
+
+/* A thin line from one point to another, and a dot where it starts if `dot`. */
+function tie(from, to, dot = true) {
+  const low = L.point(Math.min(from.x, to.x) - 4, Math.min(from.y, to.y) - 4).round();
+  const [a, b] = [from.subtract(low), to.subtract(low)];
+  const made = drawn("svg", {
+    class: "leader", width: Math.abs(from.x - to.x) + 8, height: Math.abs(from.y - to.y) + 8,
+  }, drawn("line", { x1: a.x, y1: a.y, x2: b.x, y2: b.y, stroke: "#17202b" }));
+  if (dot) made.append(drawn("circle", { cx: a.x, cy: a.y, r: 2.6, fill: "#17202b" }));
+  L.DomUtil.setPosition(made, low);
+  return made;
+}
+
+drawEvents();
+if (!crowd) drawAllEnds();
+
+/* Boxes of all marks that show, in pixels of the layer. */
+const boxes = () => marks.filter(({ made, box }) => box && map.hasLayer(made)).map(({ box }) => box);
+
+/* Where the mark of an event stands, which may be beside its place, in pixels of the layer. */
+function eventAt(index) {
+  const { x, y, w, h } = marks[index].box;
+  return L.point(x + w / 2, y + h / 2);
+}
+
+return { show, tie, boxes, eventAt, eventMarks };
+}
