@@ -16,6 +16,7 @@ is so in all of them alike. Nothing is imported or compiled as long as the refer
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from typing import Any, Literal, Protocol
 
 import numpy as np
@@ -76,6 +77,13 @@ class Engine(Protocol):
 
     def seeded(self, labels: ArrayLike) -> LeastCosts:
         """Return least costs and paths where each node may start at a cost of its own."""
+        ...
+
+    def shared_stretch(
+        self, pair: Floats, there: Sequence[Floats], onward: Sequence[Floats], limit: float,
+        slack: float = 0.0,
+    ) -> LeastCosts:  # fmt: skip
+        """Return least costs of two that meet and drive together, as far as a limit needs them."""
         ...
 
     def many_to_many(self, sources: ArrayLike, targets: ArrayLike) -> Floats:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import heapq
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,7 +72,8 @@ def checked_weight(net: RoadNetwork, weight: ArrayLike) -> Floats:
     values = np.asarray(weight, np.float64)
     if values.shape != (net.m,):
         raise ValueError(f"weight has shape {values.shape}; the network has {net.m} edges")
-    if not (values >= 0).all():
+    # The least of values that hold a NaN is NaN, and NaN is not 0 or more.
+    if not values.min(initial=0.0) >= 0:
         worst = int(np.argmin(np.where(np.isnan(values), -np.inf, values)))
         raise ValueError(f"weight of edge {worst} is {values[worst]}; it must be 0 or more")
     return values
@@ -204,6 +206,27 @@ class ReferenceEngine:
         before = before[:n].copy()
         before[before == n] = -1
         return Tree(self.net, dist[:n], self._edges_of(before, True), True)
+
+    def shared_stretch(
+        self,
+        pair: ArrayLike,
+        there: Sequence[Floats],
+        onward: Sequence[Floats],
+        limit: float,
+        slack: float = 0.0,
+    ) -> Tree:
+        """Return the least costs of two vehicles that meet, and drive together, up to each node.
+
+        Parameters
+        ----------
+        pair : (m,) cost of both together.
+        there, onward : two arrays (n,) each: costs alone, under this engine's weight, from the
+            origins and to the destinations.
+        limit, slack : costs are exact at every node that a plan passes or parts at which costs at
+            most `limit`, and at most `slack` more than the best; elsewhere they may be inf.
+        """
+        del onward, limit, slack  # this search finds everything, whatever is needed
+        return ReferenceEngine(self.net, pair).seeded(there[0] + there[1])
 
     def many_to_many(self, sources: ArrayLike, targets: ArrayLike) -> Floats:
         """Return least costs (S, T) between sources and targets, searched from the fewer."""

@@ -1,8 +1,8 @@
-"""Case D: two vehicles, both routes free, exact in five searches.
+"""Case D: two vehicles, both routes free, exact in four searches and a fifth over few nodes.
 
-u1, u2 are costs alone from the two origins, v1, v2 to the two destinations. One search under the
-pair's weight, started at every node x with u1(x) + u2(x), gives the least cost of both being at y
-after some shared stretch; adding v1(y) + v2(y) and taking the least over y is the answer. One
+u1, u2 are costs alone from the two origins, v1, v2 to the two destinations. One more search, under
+the pair's weight and started at every node x with u1(x) + u2(x), gives the least cost of both being
+at y after some shared stretch; adding v1(y) + v2(y) and taking the least over y is the answer. One
 shared stretch is enough: between a split and a second merge both could take the cheaper of the
 two ways together (waiting free, vehicles alike).
 """
@@ -70,24 +70,26 @@ def plan_pair(
     paths = [u[k].path(destinations[k]) for k in (0, 1)]
     solo_cost = float(u[0].dist[destinations[0]] + u[1].dist[destinations[1]])
     pair_weight = weights.master + weights.platoon
-    seeds = u[0].dist + u[1].dist
-    together = engine_for(net, pair_weight, engine, 2).seeded(seeds)
-    total = together.dist + v[0].dist + v[1].dist
-    least = float(total.min(initial=np.inf))
     slack = TIE * solo_cost
+    there, onward = [tree.dist for tree in u], [tree.dist for tree in v]
+    together = alone.shared_stretch(pair_weight, there, onward, solo_cost + slack, slack)
+    near = np.flatnonzero(np.isfinite(together.dist))
+    total = together.dist[near] + onward[0][near] + onward[1][near]
+    least = float(total.min(initial=np.inf))
     nothing = np.zeros(0, np.int64)
     apart = PairPlan(
         solo_cost, solo_cost, -1, -1, (paths[0], paths[1]), nothing, (nothing, nothing)
     )
     if least > solo_cost + slack:
         return apart
-    ends = np.flatnonzero(total <= least + slack)
-    shared, end = _longest(net, together, pair_weight, seeds, ends, slack)
+    ends = near[total <= least + slack]
+    starts = near[there[0][near] + there[1][near] <= together.dist[near] + slack]
+    shared, end = _longest(net, together, pair_weight, starts, ends, slack)
     if not len(shared) or (least >= solo_cost - slack and not net.length_m[shared].any()):
         return apart
     start = int(net.tail[shared[0]])
     return PairPlan(
-        cost=float(total[end]),
+        cost=float(together.dist[end] + onward[0][end] + onward[1][end]),
         solo_cost=solo_cost,
         merge=start,
         separation=end,
@@ -101,8 +103,8 @@ def _longest(
     net: RoadNetwork,
     together: LeastCosts,
     weight: Floats,
-    seeds: Floats,
-    ends: NDArray[np.int64],
+    starts: Edges,
+    ends: Edges,
     slack: float,
 ) -> tuple[Edges, int]:
     """Of equally good shared stretches return the longest [m], and the node where it ends.
@@ -113,7 +115,7 @@ def _longest(
     label = together.dist
     edges = _tight_edges(net, label, weight, ends, slack)
     edges = edges[np.argsort(label[net.tail[edges]], kind="stable")]
-    longest = dict.fromkeys(np.flatnonzero(seeds <= label + slack).tolist(), 0.0)
+    longest = dict.fromkeys(starts.tolist(), 0.0)
     by: dict[int, int] = {}
     improved = True
     # Edges of zero length join nodes of one label in any order, so one pass may not be enough.

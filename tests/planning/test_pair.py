@@ -26,18 +26,22 @@ def check_plan(net, weights, origins, destinations, plan):
     assert cost == pytest.approx(plan.cost, abs=1e-9)
 
 
+ENGINES = pytest.mark.parametrize("engine", ["reference", "hierarchy"])
+
+
+@ENGINES
 @settings(max_examples=250, deadline=None)
-@given(st.data())
-def test_every_pair_of_nodes_tried(data):
+@given(data=st.data())
+def test_every_pair_of_nodes_tried(engine, data):
     net, weights = data.draw(tied_networks(free_platoon=False))
     node = st.integers(0, net.n - 1)
     origins, destinations = (data.draw(st.tuples(node, node)) for _ in range(2))
     alone = all_pairs(net, weights.solo)
     if any(alone[o][g] == np.inf for o, g in zip(origins, destinations, strict=True)):
         with pytest.raises(NoRouteError, match="no route"):
-            plan_pair(net, weights, origins, destinations)
+            plan_pair(net, weights, origins, destinations, engine)
         return
-    plan = plan_pair(net, weights, origins, destinations)
+    plan = plan_pair(net, weights, origins, destinations, engine)
     cost, metres = pair_optimum(net, weights, origins, destinations)
     assert plan.cost == cost
     # Of equally good plans the longest platoon, counted in metres.
@@ -51,15 +55,16 @@ def test_every_pair_of_nodes_tried(data):
         assert plan.merge == plan.separation == -1
 
 
+@ENGINES
 @settings(max_examples=100, deadline=None)
-@given(st.data())
-def test_platoons_may_be_free(data):
+@given(data=st.data())
+def test_platoons_may_be_free(engine, data):
     # With costs of 0, ways of any length tie; the cost must still be the least.
     net, weights = data.draw(tied_networks())
     node = st.integers(0, net.n - 1)
     origins, destinations = (data.draw(st.tuples(node, node)) for _ in range(2))
     try:
-        plan = plan_pair(net, weights, origins, destinations)
+        plan = plan_pair(net, weights, origins, destinations, engine)
     except NoRouteError:
         return
     assert plan.cost == pair_optimum(net, weights, origins, destinations)[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,6 +16,7 @@ from .customization import Metric, customize
 from .members import best_on_route
 from .paths import ascended, path_between, path_from_labels
 from .selection import selected_table
+from .shared_stretch import SharedStretch, shared_stretch
 from .storage import topology_of
 from .sweeps import from_labels, from_one
 from .threads import cores
@@ -176,6 +178,21 @@ class HierarchyEngine:
 
     def _path(self, source: int, target: int) -> Edges | None:
         return path_between(self.net, self.weight, self.metric, source, target)
+
+    def shared_stretch(
+        self,
+        pair: ArrayLike,
+        there: Sequence[Floats],
+        onward: Sequence[Floats],
+        limit: float,
+        slack: float = 0.0,
+    ) -> SharedStretch | HierarchySeeded:
+        """Return the least costs of two that drive together; see `ReferenceEngine`."""
+        weight = checked_weight(self.net, pair)
+        found = shared_stretch(self.net, self.weight, weight, there, onward, limit, slack)
+        if found is not None:
+            return found
+        return HierarchyEngine(self.net, weight, self.threads).seeded(there[0] + there[1])
 
     def best_on_route(
         self,

@@ -10,6 +10,7 @@ from platoon_osm.errors import NoRouteError
 from platoon_osm.network import engines
 from platoon_osm.network.hierarchy import engine as fast
 from platoon_osm.network.hierarchy.engine import HierarchyEngine
+from platoon_osm.network.hierarchy.shared_stretch import SharedStretch
 from platoon_osm.network.search import ReferenceEngine
 
 EXAMPLES = settings(max_examples=150, deadline=None)
@@ -88,6 +89,59 @@ def test_seeded(case, data):
         start = int(net.tail[edges[0]]) if len(edges) else node
         cost = labels[start] + walk_cost(net, weight, edges, start, node)
         assert cost == pytest.approx(slow.dist[node], rel=1e-12, abs=0)
+
+
+def check_shared_stretch(net, weight, pair, origins, destinations):
+    """Wherever a plan worth its cost parts, both engines agree; else the fast one says more."""
+    slow, quick = both(net, weight)
+    there, onward = list(slow.distances(origins)), list(slow.distances(destinations, False))
+    limit = there[0][destinations[0]] + there[1][destinations[1]]
+    if np.isinf(limit):
+        return 0
+    slack = 1e-9 * limit
+    known = slow.shared_stretch(pair, there, onward, limit + slack, slack)
+    found = quick.shared_stretch(pair, there, onward, limit + slack, slack)
+    total = known.dist + onward[0] + onward[1]
+    least = min(limit, total.min())
+    best = total <= least + slack
+    same(known.dist[best], found.dist[best])
+    assert (found.dist + onward[0] + onward[1] >= least - slack).all()
+    for node in np.flatnonzero(best).tolist():
+        edges = found.path(node)
+        start = int(net.tail[edges[0]]) if len(edges) else node
+        cost = there[0][start] + there[1][start] + walk_cost(net, pair, edges, start, node)
+        assert cost == pytest.approx(known.dist[node], rel=1e-12, abs=0)
+    outside = np.flatnonzero(np.isinf(found.dist))
+    if len(outside):
+        with pytest.raises(NoRouteError):
+            found.path(int(outside[0]))
+    return isinstance(found, SharedStretch)
+
+
+@EXAMPLES
+@given(networks(), st.data())
+def test_shared_stretches(case, data):
+    net, weight = case
+    ends = st.tuples(*[st.integers(0, net.n - 1)] * 2)
+    ratio = data.draw(st.lists(st.sampled_from([0.0, 1.0, 1.5, 1.9, 2.0, 2.5]),
+                               min_size=net.m, max_size=net.m))  # fmt: skip
+    with np.errstate(invalid="ignore"):
+        pair = np.nan_to_num(weight * np.array(ratio), nan=0.0, posinf=np.inf)
+    check_shared_stretch(net, weight, pair, data.draw(ends), data.draw(ends))
+
+
+@pytest.mark.parametrize("share", [0.2, 0.7, 0.9, 0.99])
+def test_shared_stretches_on_planar_networks(share):
+    net, weight = planar(2000, 9)
+    rng = np.random.default_rng(3)
+    few = []
+    for _ in range(12):
+        pair = 2 * weight * rng.uniform(share, 1.0, net.m)
+        near = int(rng.integers(net.n - 30))
+        origins = [near, near + int(rng.integers(30))]
+        destinations = rng.integers(0, net.n, 2) if rng.random() < 0.5 else [5, 5]
+        few.append(check_shared_stretch(net, weight, pair, origins, list(destinations)))
+    assert any(few) or share < 0.5
 
 
 @st.composite

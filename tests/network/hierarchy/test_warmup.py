@@ -24,7 +24,8 @@ def test_warmup_compiles_and_prepares(tmp_path, capsys):
 
 def test_nothing_is_left_to_compile(monkeypatch):
     engines.warm_up()
-    parts = ("batches", "customization", "members", "paths", "rows", "selection", "sweeps")
+    parts = ("batches", "customization", "members", "paths", "rows", "selection",
+             "shared_stretch", "sweeps")  # fmt: skip
     modules = [importlib.import_module(f"platoon_osm.network.hierarchy.{part}") for part in parts]
     for module in modules:
         monkeypatch.setattr(module, "WORTH_A_THREAD", 0, raising=False)
@@ -44,6 +45,8 @@ def test_nothing_is_left_to_compile(monkeypatch):
     path = tree.path(int(np.argmax(np.where(np.isfinite(tree.dist), tree.dist, -1))))
     engine.seeded(np.zeros(net.n)).path(5)
     engine.many_to_many(some, some)
+    there, onward = engine.distances([0, 9]), engine.distances([7, 8], forward=False)
+    engine.shared_stretch(weight * 1.9, there, onward, there[0, 7] + there[1, 8])
     steps = np.arange(len(path) + 1.0)
     engine.best_on_route(net.path_nodes(path), some, some[::-1], steps, steps)
     assert compiled() == before
