@@ -6,14 +6,13 @@ content is put in by a figure that joins finished texts and renders none of them
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import folium
 from branca.element import Figure
 from folium.template import Template
 
-if TYPE_CHECKING:
-    from .page import PageParts
+from .page_parts import PageParts
 
 __all__ = ["PlanMap"]
 

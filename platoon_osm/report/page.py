@@ -13,23 +13,13 @@ from ..network.road_network import RoadNetwork
 from ..planning.plans import JointPlan
 from ..whole_file import whole_file
 from .document import report_document
-from .fragments import Markup, asset, compact_asset, fill, fill_page
-from .leaflet import Leaflet, load_leaflet
-from .panel import page_body
-from .security import json_for_html, policy
+from .leaflet import load_leaflet
+from .page_parts import PageParts
 
 if TYPE_CHECKING:
     import folium
 
 __all__ = ["explore", "plan_map", "write_html"]
-
-LEAFLET_LICENCE = "leaflet-licence.txt"
-
-SCRIPTS = (
-    "elements.js", "lines.js", "lanes.js", "cover.js", "marks.js", "labels.js", "legend.js",
-    "clock.js", "journey.js", "page.js",
-)  # fmt: skip
-"""The page's own scripts, in their order: each may use those before it."""
 
 
 def write_html(
@@ -105,43 +95,6 @@ def explore(plan: JointPlan, net: RoadNetwork, *, height: int = 640, **options: 
     figure: Any = made.get_root()
     figure.width, figure.height, figure.ratio = "100%", f"{height}px", None
     return made
-
-
-class PageParts:
-    """What a page is put together from, apart from what folium contributes."""
-
-    def __init__(self, document: dict[str, Any], leaflet: Leaflet) -> None:
-        self.document = document
-        self.leaflet = leaflet
-
-    def html(self, map_id: str, *, header: str, extra: str, script: str) -> str:
-        """Return the whole page.
-
-        Parameters
-        ----------
-        map_id : of the element that holds the map.
-        header, extra : markup for the head and the end of the body, from folium.
-        script : from folium, creates the map; the page's own script follows it.
-        """
-        own = "".join(compact_asset(name) for name in SCRIPTS)
-        scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
-        own_style = "".join(compact_asset(name) for name in ("page.css", "schedule.css"))
-        styles = [self.leaflet.style, own_style]
-        body = page_body(self.document, fill("live-map", id=map_id))
-        tiles = self.document["tiles"]
-        return fill_page(
-            "page.html",
-            policy=policy(scripts, styles, tiles["origin"] if tiles else ""),
-            title=self.document["title"],
-            licences=asset(LEAFLET_LICENCE).strip(),
-            leaflet_style=styles[0],
-            page_style=styles[1],
-            header=header.strip(),
-            body=Markup(f"{body}\n{extra.strip()}".strip()),
-            data=json_for_html(self.document),
-            leaflet_script=scripts[0],
-            script=scripts[1],
-        )
 
 
 def _tile_layer(tiles: str) -> dict[str, Any]:

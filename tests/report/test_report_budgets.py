@@ -18,7 +18,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.plans import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.fragments import asset, compact_asset
-from platoon_osm.report.page import SCRIPTS
+from platoon_osm.report.page_parts import SCRIPTS
 
 Visit = Callable[..., Any]
 
