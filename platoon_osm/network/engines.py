@@ -75,6 +75,10 @@ class Engine(Protocol):
         """Return least costs and paths from a node to all, or from all to it."""
         ...
 
+    def trees(self, nodes: ArrayLike, forward: bool = True) -> Sequence[LeastCosts]:
+        """Return the trees of several nodes, searched together where that is faster."""
+        ...
+
     def seeded(self, labels: ArrayLike) -> LeastCosts:
         """Return least costs and paths where each node may start at a cost of its own."""
         ...

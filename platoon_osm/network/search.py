@@ -175,6 +175,10 @@ class ReferenceEngine:
         dist, before = dijkstra(graph, True, start[0], True)
         return Tree(self.net, dist, self._edges_of(before, forward), forward)
 
+    def trees(self, nodes: ArrayLike, forward: bool = True) -> list[Tree]:
+        """Return the trees of several nodes."""
+        return [self.tree(node, forward) for node in checked_nodes(self.net, nodes).tolist()]
+
     def seeded(self, labels: ArrayLike) -> Tree:
         """Search forward from all nodes at once, node x starting at cost `labels[x]`.
 

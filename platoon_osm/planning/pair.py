@@ -65,8 +65,7 @@ def plan_pair(
         If one of them cannot reach its destination even alone.
     """
     alone = engine_for(net, weights.solo, engine, 4)
-    u = [alone.tree(node) for node in origins]
-    v = [alone.tree(node, forward=False) for node in destinations]
+    u, v = alone.trees(origins), alone.trees(destinations, forward=False)
     paths = [u[k].path(destinations[k]) for k in (0, 1)]
     solo_cost = float(u[0].dist[destinations[0]] + u[1].dist[destinations[1]])
     pair_weight = weights.master + weights.platoon

@@ -22,6 +22,7 @@ from .rows import sweep_rows
 from .streaming import LINE, aligned_rows, stream_line
 from .sweeps import from_one
 from .threads import run_all
+from .two_sweeps import from_two
 
 __all__ = ["from_many"]
 
@@ -45,6 +46,8 @@ def from_many(metric: Metric, nodes: Longs, forward: bool = True, threads: int =
     """
     t, count = metric.topology, len(nodes)
     workers = 1 if len(t.head) * count < WORTH_A_THREAD else threads
+    if count == 2:
+        return from_two(metric, nodes, forward, threads)
     if count <= FEW:
         found = lent(count, t.n)
         run_all(

@@ -142,6 +142,14 @@ class HierarchyEngine:
         dist = from_one(self.metric, root, forward, self.threads)
         return HierarchyTree(self, root, dist, forward)
 
+    def trees(self, nodes: ArrayLike, forward: bool = True) -> list[HierarchyTree]:
+        """Return the trees of several nodes, searched together."""
+        wanted = checked_nodes(self.net, nodes).tolist()
+        rows = self.distances(wanted, forward)
+        return [
+            HierarchyTree(self, node, row, forward) for node, row in zip(wanted, rows, strict=True)
+        ]
+
     def seeded(self, labels: ArrayLike) -> HierarchySeeded:
         """Search forward from all nodes at once, node x starting at cost `labels[x]`.
 

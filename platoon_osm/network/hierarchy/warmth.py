@@ -45,7 +45,8 @@ def warm_up() -> float:
     engine.seeded(np.zeros(net.n)).path(8)
     engine.many_to_many([0, 1], [2, 3])
     there, onward = engine.distances([0, 1]), engine.distances([7, 8], forward=False)
-    engine.shared_stretch(net.length_m * 1.9, list(there), list(onward), 1e9)
+    for table in (np.asfortranarray, np.ascontiguousarray):
+        engine.shared_stretch(net.length_m * 1.9, list(table(there)), list(table(onward)), 1e9)
     along = np.arange(3.0)
     engine.best_on_route(node[0], node[1], node[2], along, along)
     _state["warm"] = True

@@ -36,6 +36,9 @@ def test_distances_both_ways(case):
         same(slow.distances([0, 0], forward), quick.distances([0, 0], forward))
         same(slow.distances([], forward), quick.distances([], forward))
         same(slow.tree(0, forward).dist, quick.tree(0, forward).dist)
+        ends = [0, net.n - 1]
+        for one, other in zip(slow.trees(ends, forward), quick.trees(ends, forward), strict=True):
+            same(one.dist, other.dist)
 
 
 @EXAMPLES
@@ -210,7 +213,7 @@ def test_planar_networks_of_two_thousand_nodes(seed):
             assert cost == pytest.approx(row[node], rel=1e-12)
 
 
-@pytest.mark.parametrize("count", [1, 4, 5, 8, 63, 64, 65, 130])
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 8, 63, 64, 65, 130])
 def test_tables_of_any_width(count):
     net, weight = planar(1500, 8)
     slow, quick = both(net, weight)
@@ -291,7 +294,9 @@ def test_auto_takes_the_reference_for_little_and_the_hierarchy_for_much(monkeypa
 
 
 def test_one_core_and_many_agree_to_the_last_bit(monkeypatch):
-    for module in ("customization", "sweeps", "batches", "selection", "members"):
+    for module in (
+        "customization", "sweeps", "two_sweeps", "batches", "selection", "members",
+    ):  # fmt: skip
         monkeypatch.setattr(f"{fast.__package__}.{module}.WORTH_A_THREAD", 0)
     net, weight = planar(3000, 5)
     one, many = (HierarchyEngine(net, weight, threads=threads) for threads in (1, 3))
@@ -309,6 +314,7 @@ def test_one_core_and_many_agree_to_the_last_bit(monkeypatch):
         lambda e: e.tree(17, forward=False).dist,
         lambda e: e.distances(some),
         lambda e: e.distances(some[:4]),
+        lambda e: e.distances(some[:2], forward=False),
         lambda e: e.seeded(labels).dist,
         lambda e: e.many_to_many(some, some[:9]),
         lambda e: np.array(
