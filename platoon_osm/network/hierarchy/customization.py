@@ -96,7 +96,8 @@ def _work(
     down: Floats, top_arc: int,
 ) -> None:  # fmt: skip
     """Customize the nodes of ranks low to high; arcs from `top_arc` on lie at a + shift."""
-    _load(first[low], first[high], forth, back, spare, spare_place, weight, up, down)
+    begin, end = np.int64(first[low]), np.int64(first[high])
+    _load(begin, end, forth, back, spare, spare_place, weight, up, down)
     _relax(low, high, shift, run, first, triangle_first, triangle, up, down, top_arc)
 
 

@@ -99,9 +99,10 @@ def _labels(
     run: Ints, first: Ints, head: Ints, upper: Ints, climb: Floats, descend: Floats, node: Ints,
     found: Floats,
 ) -> None:  # fmt: skip
-    n = len(node)
-    _ascend(0, n, run, first, head, upper, climb, node, found, n, found[:0])
-    _descend(0, n, True, run, first, upper, descend, node, found)
+    # Plain numbers: for a literal the kernel would be compiled once more.
+    low, n = np.int64(0), len(node)
+    _ascend(low, n, run, first, head, upper, climb, node, found, n, found[:0])
+    _descend(low, n, True, run, first, upper, descend, node, found)
 
 
 @compiled
