@@ -26,6 +26,7 @@ __all__ = ["Metric", "customize"]
 Ints = NDArray[np.int32]
 Longs = NDArray[np.int64]
 Floats = NDArray[np.float64]
+Number = int | np.int64
 
 WORTH_A_THREAD = 500_000
 """Triangles from which on several threads pay; fewer take a millisecond or two."""
@@ -103,7 +104,7 @@ def _work(
 
 @compiled
 def _load(
-    begin: int, end: int, forth: Ints, back: Ints, spare: Ints, spare_place: Ints,
+    begin: Number, end: Number, forth: Ints, back: Ints, spare: Ints, spare_place: Ints,
     weight: Floats, up: Floats, down: Floats,
 ) -> None:  # fmt: skip
     """Give the arcs from `begin` to `end` the weight of their lightest edges."""

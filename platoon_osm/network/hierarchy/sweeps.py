@@ -25,6 +25,7 @@ __all__ = ["ancestors", "from_labels", "from_one"]
 
 Ints = NDArray[np.int32]
 Floats = NDArray[np.float64]
+Number = int | np.int64
 
 WORTH_A_THREAD = 400_000
 """Arcs from which on one sweep is shared among threads."""
@@ -165,7 +166,7 @@ def _sweep(
 
 @compiled
 def _descend(
-    low: int, high: int, known: bool, run: Ints, first: Ints, upper: Ints, descend: Floats,
+    low: Number, high: int, known: bool, run: Ints, first: Ints, upper: Ints, descend: Floats,
     node: Ints, found: Floats,
 ) -> None:  # fmt: skip
     """Give nodes, from rank `high` down to `low`, the least of what their upper ends offer.
@@ -203,7 +204,7 @@ def _descend(
 
 @compiled
 def _ascend(
-    low: int, high: int, run: Ints, first: Ints, head: Ints, upper: Ints, climb: Floats,
+    low: Number, high: int, run: Ints, first: Ints, head: Ints, upper: Ints, climb: Floats,
     node: Ints, found: Floats, top: int, top_found: Floats,
 ) -> None:  # fmt: skip
     r = np.searchsorted(run, low, side="right") - 1
