@@ -143,15 +143,16 @@ def engine_for(
     chosen = engine if engine != "auto" else _faster(net, searches, set(ready))
     if chosen in ready:
         return ready[chosen]
-    made: Engine
     # Kept with a copy: an array changed in place must not find the engine of its old values.
-    own = values.copy()
+    own: Floats
+    made: Engine
     if chosen == "reference":
-        made = ReferenceEngine(net, own)
+        own, made = values.copy(), ReferenceEngine(net, values)
     else:
         from .hierarchy.engine import HierarchyEngine
 
-        made = HierarchyEngine(net, own)
+        made = HierarchyEngine(net, values)
+        own = made.weight
     kept.append((own, made))
     del kept[:-KEPT_WEIGHTS]
     return made

@@ -20,7 +20,7 @@ from .jit import compiled
 from .lent import lent
 from .rows import sweep_rows
 from .streaming import LINE, aligned_rows, stream_line
-from .sweeps import from_one
+from .sweeps import ancestors, climb, from_one
 from .threads import run_all
 from .two_sweeps import from_two
 
@@ -54,7 +54,7 @@ def from_many(metric: Metric, nodes: Longs, forward: bool = True, threads: int =
             lambda k: from_one(metric, int(nodes[k]), forward, 1, found[k]), range(count), workers
         )
         return found
-    climb, descend = metric.towards(forward)
+    ascend, descend = metric.towards(forward)
     width = -(-count // LINE) * LINE
     table = aligned_rows(t.n, width)
     top = int(np.searchsorted(t.block, t.top))
@@ -64,7 +64,7 @@ def from_many(metric: Metric, nodes: Longs, forward: bool = True, threads: int =
         lanes = t.rank[nodes[begin : begin + LANES]]
         size = min(LANES, width - begin)
         known[:] = False
-        _climb_lanes(lanes, t.first, t.upper, t.parent, climb, t.node, known, table, begin, size)
+        _climb_lanes(lanes, t.first, t.upper, t.parent, ascend, t.node, known, table, begin, size)
 
         def sweep(blocks: Blocks, begin: int = begin, size: int = size) -> None:
             _sweep_blocks(
@@ -80,7 +80,7 @@ def from_many(metric: Metric, nodes: Longs, forward: bool = True, threads: int =
 
 @compiled
 def _climb_lanes(
-    starts: Ints, first: Ints, upper: Ints, parent: Ints, climb: Floats, node: Ints,
+    starts: Ints, first: Ints, upper: Ints, parent: Ints, ascend: Floats, node: Ints,
     known: NDArray[np.bool_], table: Floats, begin: int, width: int,
 ) -> None:  # fmt: skip
     """Climb from each start in a lane of its own; the rows of all that are climbed are `known`."""
@@ -91,16 +91,8 @@ def _climb_lanes(
             table[node[v], begin : begin + width] = np.inf
             v = parent[v]
     for lane in range(len(starts)):
-        k = begin + lane
-        v = starts[lane]
-        table[node[v], k] = 0.0
-        while v >= 0:
-            d = table[node[v], k]
-            for a in range(first[v], first[v + 1]):
-                u, new = upper[a], d + climb[a]
-                if new < table[u, k]:
-                    table[u, k] = new
-            v = parent[v]
+        climbed = ancestors(starts[lane], parent)
+        climb(climbed, first, upper, ascend, node, table[:, begin + lane])
 
 
 @compiled

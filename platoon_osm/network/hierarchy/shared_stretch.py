@@ -82,11 +82,10 @@ def shared_stretch(
     limit : costs of both above which no plan is of interest.
     slack : plans that cost so much more than the best are found too.
     """
-    found = lent(net.n)
-    edge = np.empty(net.n, np.int32)
     share = _least_share(solo, pair)
     if share <= 0:
         return None
+    found, edge = lent(net.n), np.empty(net.n, np.int32)
     most = max(net.n // FEW, 64)
     (u1, u2), (v1, v2) = there, onward
     done = _search(

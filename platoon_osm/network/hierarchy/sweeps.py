@@ -21,7 +21,7 @@ from .lent import lent
 from .ranks import MANY
 from .threads import run_all
 
-__all__ = ["ancestors", "from_labels", "from_one"]
+__all__ = ["ancestors", "climb", "from_labels", "from_one"]
 
 Ints = NDArray[np.int32]
 Floats = NDArray[np.float64]
@@ -43,12 +43,12 @@ def from_one(
     found : (n,) where to write them, if given.
     """
     t = metric.topology
-    climb, descend = metric.towards(forward)
+    ascend, descend = metric.towards(forward)
     if found is None:
         found = lent(t.n)
     together = threads > 1 and len(t.head) >= WORTH_A_THREAD
     climbed = _one(
-        int(t.rank[node]), t.top if together else 0, t.parent, t.run, t.first, t.upper, climb,
+        int(t.rank[node]), t.top if together else 0, t.parent, t.run, t.first, t.upper, ascend,
         descend, t.node, found,
     )  # fmt: skip
 
@@ -123,27 +123,26 @@ def ancestors(start: int, parent: Ints) -> Ints:
 
 @compiled
 def _one(
-    start: int, low: int, parent: Ints, run: Ints, first: Ints, upper: Ints, climb: Floats,
+    start: int, low: int, parent: Ints, run: Ints, first: Ints, upper: Ints, ascend: Floats,
     descend: Floats, node: Ints, found: Floats,
 ) -> Ints:  # fmt: skip
     """Climb from a rank and sweep down to rank `low`; return the ranks climbed."""
     climbed = ancestors(start, parent)
-    _climb(climbed, first, upper, climb, node, found)
+    for v in climbed:
+        found[node[v]] = np.inf
+    climb(climbed, first, upper, ascend, node, found)
     _sweep(low, len(node), climbed, run, first, upper, descend, node, found)
     return climbed
 
 
 @compiled
-def _climb(
-    climbed: Ints, first: Ints, upper: Ints, climb: Floats, node: Ints, found: Floats
-) -> None:
-    for v in climbed:
-        found[node[v]] = np.inf
+def climb(climbed: Ints, first: Ints, upper: Ints, cost: Floats, node: Ints, found: Floats) -> None:
+    """Climb from the first of some ranks, a node's ancestors, where `found` is inf."""
     found[node[climbed[0]]] = 0.0
     for v in climbed:
         d = found[node[v]]
         for a in range(first[v], first[v + 1]):
-            u, new = upper[a], d + climb[a]
+            u, new = upper[a], d + cost[a]
             if new < found[u]:
                 found[u] = new
 

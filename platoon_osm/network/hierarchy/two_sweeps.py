@@ -13,7 +13,7 @@ from .customization import Metric
 from .jit import compiled
 from .lent import lent
 from .ranks import MANY
-from .sweeps import WORTH_A_THREAD, ancestors
+from .sweeps import WORTH_A_THREAD, ancestors, climb
 from .threads import run_all
 
 __all__ = ["from_two"]
@@ -27,12 +27,12 @@ U = np.uint64
 def from_two(metric: Metric, nodes: Longs, forward: bool = True, threads: int = 1) -> Floats:
     """Return costs (2, n) from each of two nodes to all, or from all to each if not forward."""
     t = metric.topology
-    climb, descend = metric.towards(forward)
+    ascend, descend = metric.towards(forward)
     found = lent(t.n, 2)
     together = threads > 1 and len(t.head) >= WORTH_A_THREAD
     one, other = t.rank[nodes].tolist()
     climbed = _two(
-        one, other, t.top if together else 0, t.parent, t.run, t.first, t.upper, climb, descend,
+        one, other, t.top if together else 0, t.parent, t.run, t.first, t.upper, ascend, descend,
         t.node, found,
     )  # fmt: skip
 
@@ -47,7 +47,7 @@ def from_two(metric: Metric, nodes: Longs, forward: bool = True, threads: int = 
 @compiled
 def _two(
     one: int, other: int, low: int, parent: Ints, run: Ints, first: Ints, upper: Ints,
-    climb: Floats, descend: Floats, node: Ints, found: Floats,
+    ascend: Floats, descend: Floats, node: Ints, found: Floats,
 ) -> Ints:  # fmt: skip
     """Climb from two ranks and sweep down to rank `low`; return the ranks climbed."""
     chains = ancestors(one, parent), ancestors(other, parent)
@@ -55,13 +55,7 @@ def _two(
     for v in climbed:
         found[node[v]] = np.inf
     for k in range(2):
-        found[node[chains[k][0]], k] = 0.0
-        for v in chains[k]:
-            d = found[node[v], k]
-            for a in range(first[v], first[v + 1]):
-                u, new = upper[a], d + climb[a]
-                if new < found[u, k]:
-                    found[u, k] = new
+        climb(chains[k], first, upper, ascend, node, found[:, k])
     _sweep(low, len(node), climbed, run, first, upper, descend, node, found)
     return climbed
 
