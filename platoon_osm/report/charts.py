@@ -6,12 +6,11 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
 from .schedule_chart import hour_ticks
+from .vehicle_styles import letter_size
 
 __all__ = ["along_chart", "fatigue_chart"]
-
-NOTHING = Markup("")
 
 LEFT, RIGHT = 34.0, 364.0
 ALONG_TOP, ALONG_ROW = 30, 25
@@ -71,7 +70,7 @@ def _along_row(document: dict[str, Any], index: int, y: float, per_metre: float)
         at += length
     return fill(
         "along-row", y=f"{y:g}", colour=vehicle["colour"], letter=vehicle["letter"],
-        size="11" if len(vehicle["letter"]) == 1 else "9", bands=join(bands),
+        size=letter_size(vehicle["letter"]), bands=join(bands),
         x1=f"{first:.1f}", x2=f"{LEFT + at * per_metre:.1f}",
         square=f"{LEFT + at * per_metre - 3.5:.1f}", dash=vehicle["dash"] or "none",
         cap=vehicle["cap"],
@@ -191,7 +190,7 @@ def _curve_row(
     first, last = joint.split(" ")[0], joint.rsplit(" ", 1)[-1]
     return fill(
         "fatigue-row", y=f"{y:g}", colour=vehicle["colour"], letter=vehicle["letter"],
-        size="11" if len(vehicle["letter"]) == 1 else "9", alone=path("alone"), joint=joint,
+        size=letter_size(vehicle["letter"]), alone=path("alone"), joint=joint,
         area=f"{first.split(',')[0]},{base:g} {joint} {last.split(',')[0]},{base:g}",
         base=f"{base:g}", right=f"{RIGHT - 30:g}", peak=f"{curve['joint_peak']:.0f}",
         alone_peak=f"{curve['alone_peak']:.0f}",

@@ -11,7 +11,8 @@ from ..network.road_network import RoadNetwork
 from ..planning.plans import JointPlan
 from ..whole_file import whole_file
 from .document import report_document
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
+from .page_pieces import badge
 from .quantities import MINUS, kilometres, litres, percent
 from .shown_text import fitted, shown
 from .static_map import small_maps
@@ -26,7 +27,6 @@ MOST_BY_VEHICLE = 12
 """Vehicles in all plans together that are compared one by one; of more, only sums are."""
 
 BARS_LEFT, BARS_RIGHT, BAR_ROW = 4.0, 480.0, 26
-NOTHING = Markup("")
 
 
 def write_comparison(
@@ -150,15 +150,10 @@ def _vehicles(plans: Sequence[dict[str, Any]]) -> dict[str, dict[str, Any]]:
     return found
 
 
-def _badge(vehicle: dict[str, Any]) -> Markup:
-    size = "11" if len(vehicle["letter"]) == 1 else "9"
-    return fill("badge", colour=vehicle["colour"], letter=vehicle["letter"], size=size)
-
-
 def _keys(plans: Sequence[dict[str, Any]]) -> Markup:
     vehicles = _vehicles(plans).values()
     return join(
-        fill("comparison-key", badge=_badge(vehicle), name=vehicle["name"],
+        fill("comparison-key", badge=badge(vehicle), name=vehicle["name"],
              origin=vehicle["origin"]["name"], destination=vehicle["destination"]["name"])
         for vehicle in list(vehicles)[:MOST_BY_VEHICLE]
     )  # fmt: skip
@@ -243,7 +238,7 @@ def _by_vehicle(plans: Sequence[dict[str, Any]]) -> Markup:
                      share=own["text"]["share"])
             )  # fmt: skip
         rows.append(
-            fill("comparison-vehicle", badge=_badge(vehicle), cells=join(cells),
+            fill("comparison-vehicle", badge=badge(vehicle), cells=join(cells),
                  origin=vehicle["origin"]["name"], destination=vehicle["destination"]["name"])
         )  # fmt: skip
     heads = join(fill("comparison-head", title=plan["title"]) for plan in plans)

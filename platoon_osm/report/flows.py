@@ -15,13 +15,15 @@ from ..planning.plans import JointPlan
 from ..whole_file import whole_file
 from .basemap import BASEMAP_STEPS, ROUTE_STEPS, ROUTE_TOLERANCE_M, basemap_lines
 from .document import report_document
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
 from .map_view import MapView, path_data, shifted
+from .page_pieces import about, credit_lines, heading, opening, unit_note
 from .placement import Box, Cover
 from .polyline import decode_lines, encode_lines
 from .quantities import percent
 from .static_map import NARROW, static_texts, town_names
 from .still_page import still_page
+from .vehicle_styles import letter_size
 
 __all__ = ["flow_document", "write_flows"]
 
@@ -33,7 +35,6 @@ COLOURS = ("#8fb8de", "#5b97cf", "#2f74b5", "#14528c", "#0a3157")
 """From few vehicles to many: one hue, so that it reads in grey too."""
 
 BINS = 12
-NOTHING = Markup("")
 LEFT, RIGHT, TOP, BASE = 30.0, 366.0, 12.0, 150.0
 
 
@@ -112,27 +113,24 @@ def _round_step(least: float) -> float:
 
 
 def _page(document: dict[str, Any]) -> str:
-    about = document["provenance"]
     groups = [group for group in document["groups"] if group["kind"] == "platoon"]
     alone = sum(len(g["vehicles"]) for g in document["groups"] if g["kind"] == "alone")
-    unit = document["cost_unit"]
+    rows = document["provenance"]["rows"]
     body = fill(
         "flows",
-        icons=fill("icons"),
+        opening=opening(document),
         map=_map(document),
         keys=_keys(document["most"]),
-        credits=join(fill("credit", text=text) for text in about["credits"]),
-        title=document["title"],
-        subtitle=document["subtitle"],
-        figures=join(fill("figure", **figure) for figure in document["totals"]["figures"]),
+        credits=credit_lines(document),
+        heading=heading(document),
         histogram=_histogram_chart(document),
-        unit=unit["label"],
+        unit=document["cost_unit"]["label"],
         platoons=_platoons(document, groups),
         alone=fill("flows-alone", count=alone) if alone else NOTHING,
-        unit_note=fill("unit-note", note=unit["note"]) if unit["note"] else NOTHING,
-        proof=fill("proof", text=about["proof"]) if about["proof"] else NOTHING,
-        rows=join(fill("about-row", label=label, text=text) for label, text in about["rows"]),
-        credit_items=join(fill("item", text=text) for text in about["credits"]),
+        unit_note=unit_note(document),
+        about=about(
+            document, join(fill("about-row", label=label, text=text) for label, text in rows)
+        ),
     )
     return still_page(document["title"], body, ("page.css", "flows.css"), ("flows.js",))
 
@@ -220,7 +218,7 @@ def _platoons(document: dict[str, Any], groups: Sequence[dict[str, Any]]) -> Mar
         saving = group["saved"] / before if before else 0.0
         members = join(
             fill("flows-member", letter=v["letter"], name=v["name"], colour=v["colour"],
-                 size="11" if len(v["letter"]) == 1 else "9",
+                 size=letter_size(v["letter"]),
                  origin=v["origin"]["name"], destination=v["destination"]["name"],
                  saved=v["text"]["saved"])
             for v in vehicles

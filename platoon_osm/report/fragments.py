@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from importlib.resources import files
 from string import Template
 
-__all__ = ["Markup", "asset", "compact_asset", "fill", "fill_page", "join"]
+__all__ = ["NOTHING", "Markup", "asset", "compact_asset", "fill", "fill_page", "join"]
 
 FRAGMENT_FILES = (
     "panel.html", "legend.html", "map.svg.html", "charts.html", "schedule.html", "comparison.html",
@@ -27,6 +27,10 @@ class Markup(str):
     """Text that is markup already; only `fill`, `join` and `compact_asset` make it."""
 
     __slots__ = ()
+
+
+NOTHING = Markup("")
+"""Stands where a page has nothing to say."""
 
 
 def asset(name: str) -> str:

@@ -7,15 +7,15 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .charts import along_chart, fatigue_chart
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
 from .legend import legend
+from .page_pieces import about, badge, credit_lines, heading, opening, unit_note
 from .schedule_chart import late_note, schedule_chart
 from .static_map import static_map
+from .vehicle_styles import letter_size
 from .waiting_bars import waiting_bars
 
 __all__ = ["page_body"]
-
-NOTHING = Markup("")
 
 OPEN_UP_TO = 12
 """Vehicles in a plan all of whose groups are open from the start."""
@@ -29,25 +29,24 @@ BAR_ROW = 30
 
 def page_body(document: dict[str, Any], live_map: Markup) -> Markup:
     """Return all that stands in the page's body but its scripts."""
-    about = document["provenance"]
+    provenance = document["provenance"]
     return fill(
         "body",
-        icons=fill("icons"),
+        opening=opening(document),
         live_map=live_map,
         static_map=static_map(document),
         legend=legend(document),
-        credits=join(fill("credit", text=text) for text in about["credits"]),
-        title=document["title"],
-        subtitle=document["subtitle"],
-        figures=join(fill("figure", **figure) for figure in document["totals"]["figures"]),
+        credits=credit_lines(document),
+        heading=heading(document),
         journey=_journey(document),
         vehicles=_vehicles(document),
         fatigue=fatigue_chart(document),
         notes=_notes(document),
-        proof=fill("proof", text=about["proof"]) if about["proof"] else NOTHING,
-        rows=join(_about_row(label, text) for label, text in about["rows"]),
-        remarks=_items("remarks", about["remarks"]),
-        credit_items=join(fill("item", text=text) for text in about["credits"]),
+        about=about(
+            document,
+            join(_about_row(label, text) for label, text in provenance["rows"]),
+            _items("remarks", provenance["remarks"]),
+        ),
     )
 
 
@@ -62,7 +61,7 @@ def _journey(document: dict[str, Any]) -> Markup:
 def _vehicles(document: dict[str, Any]) -> Markup:
     """Return table, bars, way and events: at once for one small group, else group by group."""
     groups, every = document["groups"], range(len(document["vehicles"]))
-    unit, note = document["cost_unit"]["label"], _unit_note(document)
+    unit, note = document["cost_unit"]["label"], unit_note(document)
     totals = document["totals"]
     platoons = [group for group in groups if group["kind"] == "platoon"]
     if len(every) <= COMPACT_BEYOND and len(platoons) <= 1:
@@ -124,26 +123,10 @@ def _items(fragment: str, texts: list[str]) -> Markup:
     return fill(fragment, items=join(fill("item", text=text) for text in texts))
 
 
-def _unit_note(document: dict[str, Any]) -> Markup:
-    note = document["cost_unit"]["note"]
-    return fill("unit-note", note=note) if note else NOTHING
-
-
 def _about_row(label: str, text: str) -> Markup:
     if label == "sha256" and re.fullmatch("[0-9a-fA-F]{64}", text):
         return fill("about-hash", label=label, text=text, short=text[:8], end=text[-4:])
     return fill("about-row", label=label, text=text)
-
-
-def badge(vehicle: dict[str, Any]) -> Markup:
-    """Return a vehicle's letter in a disc of its colour."""
-    return fill(
-        "badge", colour=vehicle["colour"], letter=vehicle["letter"], size=_letter_size(vehicle)
-    )
-
-
-def _letter_size(vehicle: dict[str, Any]) -> str:
-    return "11" if len(vehicle["letter"]) == 1 else "9"
 
 
 def _sign(saved: float) -> str:
@@ -256,7 +239,7 @@ def _bar_row(
         shapes.append(fill("bar-net", x=f"{zero + (gain - loss) / per_pixel:.1f}"))
     return fill(
         "bars-row", y=f"{y:g}", colour=vehicle["colour"], letter=vehicle["letter"],
-        size=_letter_size(vehicle), shapes=join(shapes), net=vehicle["text"]["saved"],
+        size=letter_size(vehicle["letter"]), shapes=join(shapes), net=vehicle["text"]["saved"],
     )  # fmt: skip
 
 

@@ -7,11 +7,10 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..planning.clock import Clock
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
+from .vehicle_styles import letter_size
 
 __all__ = ["BEYOND", "LATE", "clock_text", "hour_ticks", "late_note", "schedule_chart"]
-
-NOTHING = Markup("")
 
 LEFT, RIGHT = 38.0, 358.0
 CROWDED_RIGHT = 282.0
@@ -160,7 +159,7 @@ def _row(document: dict[str, Any], index: int, axis: _Axis, y: float, crowded: b
         title=_sentence(vehicle),
         colour=vehicle["colour"],
         letter=vehicle["letter"],
-        size="11" if len(vehicle["letter"]) == 1 else "9",
+        size=letter_size(vehicle["letter"]),
         shapes=join(_shapes(document, index, axis)),
         labels=_span(times) if crowded else join(_labels(document, index, axis)),
     )

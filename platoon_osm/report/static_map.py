@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from .basemap import BASEMAP_STEPS, ROUTE_STEPS
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
 from .map_texts import NAME_SIZE, placed_callouts, placed_names
 from .map_view import (
     MapView,
@@ -66,8 +66,6 @@ def static_map(document: dict[str, Any]) -> Markup:
         scale=scale,
     )  # fmt: skip
 
-
-NOTHING = Markup("")
 
 SMALL_WIDTH, SMALL_HEIGHT = 640.0, 400.0
 SMALL_NETWORK_DATA = 40_000

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from .shown_text import shown
 
-__all__ = ["VehicleStyle", "vehicle_styles"]
+__all__ = ["VehicleStyle", "letter_size", "vehicle_styles"]
 
 # All keep 4.5:1 against white, so that a white letter reads on them and they read on paper;
 # neighbours in the list differ for the three common kinds of colour blindness.
@@ -61,3 +61,8 @@ def _letters(index: int) -> str:
         index, rest = divmod(index - 1, 26)
         text = chr(ord("A") + rest) + text
     return text
+
+
+def letter_size(letter: str) -> str:
+    """Return the type size at which a vehicle's letter, or two, fits its disc."""
+    return "11" if len(letter) == 1 else "9"

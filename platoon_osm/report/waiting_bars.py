@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from .fragments import Markup, fill, join
+from .fragments import NOTHING, Markup, fill, join
 from .quantities import MINUS, litres
+from .vehicle_styles import letter_size
 
 __all__ = ["waiting_bars"]
-
-NOTHING = Markup("")
 
 LEFT, ZERO, RIGHT = 98.0, 160.0, 316.0
 ROW = 28
@@ -72,7 +71,7 @@ def _row(
     )  # fmt: skip
     return fill(
         "waiting-row", y=y, colour=vehicle["colour"], letter=vehicle["letter"],
-        size="11" if len(vehicle["letter"]) == 1 else "9", shapes=join(shapes),
+        size=letter_size(vehicle["letter"]), shapes=join(shapes),
     )  # fmt: skip
 
 
