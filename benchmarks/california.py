@@ -15,9 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-
-from .interleaved import compare
-from .sections import ROOT, markdown_table, write_section
+from platoon_osm_x.interleaved import compare
+from platoon_osm_x.sections import ROOT, markdown_table, write_section
 
 EXTRACT = ROOT.parent / "shared" / "data" / "osm" / "california-motorway.osm.pbf"
 MEMBERS = 100
@@ -36,8 +35,8 @@ def loading(folder: Path) -> list[list[str]]:
     import osmium
     import osmnx
 
-    from platoon_osm.network.store import open_network
-    from platoon_osm.sources.osm import read_osm
+    from platoon_osm.network.saved.store import open_network
+    from platoon_osm.sources.osm.extract import read_osm
 
     # OSMnx reads XML only; the conversion is not counted.
     xml = folder / "california.osm"
@@ -92,8 +91,8 @@ def planning() -> list[list[str]]:
     import networkx
 
     import platoon_osm as po
-    from platoon_osm.network.engines import warm_up
-    from platoon_osm.network.search import ReferenceEngine
+    from platoon_osm.search.dijkstra import ReferenceEngine
+    from platoon_osm.search.engine import warm_up
 
     net = po.load_network(EXTRACT, country="US-CA", infer_links=True)
     weights = po.paper_weights(net)

@@ -21,22 +21,21 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from platoon_osm_x.interleaved import Comparison, compare
+from platoon_osm_x.peers import RoutingKit, installed, one_to_all_peers
+from platoon_osm_x.road_like import road_like, shuffled
+from platoon_osm_x.sections import ROOT, write_section
 from scipy.sparse import block_array, csr_array
 from scipy.sparse.csgraph import dijkstra
 
-from platoon_osm.network import engines
-from platoon_osm.network.best_pairs import best_pairs, entry_exit_costs
-from platoon_osm.network.hierarchy.engine import HierarchyEngine
-from platoon_osm.network.hierarchy.storage import topology_of
-from platoon_osm.network.hierarchy.symbolic import build_topology
-from platoon_osm.network.hierarchy.threads import cores
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.network.search import ReferenceEngine
-
-from .interleaved import Comparison, compare
-from .peers import RoutingKit, installed, one_to_all_peers
-from .road_like import road_like, shuffled
-from .sections import ROOT, write_section
+from platoon_osm.search import engine as engines
+from platoon_osm.search.dijkstra import ReferenceEngine
+from platoon_osm.search.hierarchy.engine import HierarchyEngine
+from platoon_osm.search.hierarchy.preparing.storage import topology_of
+from platoon_osm.search.hierarchy.preparing.symbolic import build_topology
+from platoon_osm.search.hierarchy.runtime.threads import cores
+from platoon_osm.search.joining import best_pairs, entry_exit_costs
 
 MEMBERS = 1000
 SAVING = 0.82

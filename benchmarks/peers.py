@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from platoon_osm.network.best_pairs import best_pairs
 from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.search.joining import best_pairs
 
 __all__ = ["RoutingKit", "one_to_all_peers"]
 

@@ -10,9 +10,8 @@ from __future__ import annotations
 import sys
 
 import numpy as np
-
-from .california import EXTRACT, SACRAMENTO, SAN_DIEGO
-from .sections import markdown_table, write_section
+from platoon_osm_x.california import EXTRACT, SACRAMENTO, SAN_DIEGO
+from platoon_osm_x.sections import markdown_table, write_section
 
 REACHES_M = (100.0, 150.0, 200.0, 300.0)
 LOS_ANGELES, SAN_FRANCISCO = (-118.243, 34.052), (-122.41, 37.775)
@@ -21,7 +20,7 @@ LOS_ANGELES, SAN_FRANCISCO = (-118.243, 34.052), (-122.41, 37.775)
 def main() -> None:
     """Measure and write the section."""
     import platoon_osm as po
-    from platoon_osm.network.inferred_links import infer_links
+    from platoon_osm.network.preparing.inferred_links import infer_links
 
     if not EXTRACT.is_file():
         sys.exit(f"{EXTRACT.name}: not found in ../shared/data/osm; this table needs it")

@@ -14,15 +14,14 @@ from typing import Any
 
 import networkx
 import numpy as np
+from platoon_osm_x.interleaved import compare
+from platoon_osm_x.sections import markdown_table, write_section
 
 from platoon_osm.costs.weights import PaperCosts
-from platoon_osm.sources.synthetic import Draw
 from platoon_osm.study.monte_carlo import run_study
 from platoon_osm.study.one_run import plan_draw
+from platoon_osm.study.random_network import Draw
 from platoon_osm.study.settings import Study
-
-from .interleaved import compare
-from .sections import markdown_table, write_section
 
 STUDY = Study(mixings=("printed",), points=())
 """100 networks, 10 vehicles, an 11 x 11 grid, Dijkstra."""

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ._version import __version__
-from .display import offer
+from .offers import offer
 
 if TYPE_CHECKING:
     from .costs.fatigue import FatigueModel
@@ -20,22 +20,22 @@ if TYPE_CHECKING:
         PlatoonError,
         ScenarioError,
     )
-    from .network.engines import many_to_many
-    from .network.locate import Location
+    from .network.location import Location
     from .network.road_network import RoadNetwork
     from .planning.cases import plan_members
     from .planning.joint import plan_joint
-    from .planning.plans import JointPlan, VehiclePlan
-    from .planning.trips import Trip
-    from .report.comparison import write_comparison
-    from .report.figures import write_figures
-    from .report.flows import write_flows
-    from .report.gis import to_geodataframe, write_geopackage
-    from .report.page import explore, write_html
-    from .report.tracks import write_csv, write_gpx
+    from .plans.records import JointPlan, VehiclePlan
+    from .plans.trip import Trip
+    from .report.charts.figures import write_figures
+    from .report.exports.gis import to_geodataframe, write_geopackage
+    from .report.exports.tracks import write_csv, write_gpx
+    from .report.pages.comparison import write_comparison
+    from .report.pages.flows import write_flows
+    from .report.pages.page import explore, write_html
+    from .search.engine import many_to_many
     from .sources.load import load_network
-    from .sources.synthetic import RandomNetwork
     from .study.monte_carlo import StudyResult, run_study
+    from .study.random_network import RandomNetwork
     from .study.road_trips import RoadTrips
     from .study.settings import PAPER_STUDY, Study
 
@@ -51,25 +51,25 @@ _WHERE = {
     "NoRouteError": "errors",
     "PlatoonError": "errors",
     "ScenarioError": "errors",
-    "Location": "network.locate",
+    "Location": "network.location",
     "RoadNetwork": "network.road_network",
-    "many_to_many": "network.engines",
+    "many_to_many": "search.engine",
     "plan_members": "planning.cases",
     "plan_joint": "planning.joint",
-    "JointPlan": "planning.plans",
-    "VehiclePlan": "planning.plans",
-    "Trip": "planning.trips",
-    "to_geodataframe": "report.gis",
-    "write_geopackage": "report.gis",
-    "write_html": "report.page",
-    "explore": "report.page",
-    "write_comparison": "report.comparison",
-    "write_csv": "report.tracks",
-    "write_figures": "report.figures",
-    "write_flows": "report.flows",
-    "write_gpx": "report.tracks",
+    "JointPlan": "plans.records",
+    "VehiclePlan": "plans.records",
+    "Trip": "plans.trip",
+    "to_geodataframe": "report.exports.gis",
+    "write_geopackage": "report.exports.gis",
+    "write_html": "report.pages.page",
+    "explore": "report.pages.page",
+    "write_comparison": "report.pages.comparison",
+    "write_csv": "report.exports.tracks",
+    "write_figures": "report.charts.figures",
+    "write_flows": "report.pages.flows",
+    "write_gpx": "report.exports.tracks",
     "load_network": "sources.load",
-    "RandomNetwork": "sources.synthetic",
+    "RandomNetwork": "study.random_network",
     "RoadTrips": "study.road_trips",
     "PAPER_STUDY": "study.settings",
     "Study": "study.settings",
@@ -129,6 +129,15 @@ def __dir__() -> list[str]:
     return __all__
 
 
-# Plans show themselves through these; nothing is loaded before one does.
-offer("explore", lambda: __getattr__("explore"))
-offer("table", lambda: import_module(".report.notebook", __name__).plan_table)
+# What lower rooms let people call of upper ones; nothing is loaded before someone does.
+for _name, _where in {
+    "locate": "network.locate",
+    "save_network": "network.saved.store",
+    "to_networkx": "sources.graphs.exchange",
+    "from_networkx": "sources.graphs.exchange",
+    "to_geodataframes": "sources.graphs.exchange",
+    "summary": "plans.summary",
+    "explore": "report.pages.page",
+    "plan_table": "report.pages.notebook",
+}.items():
+    offer(_name, f"{__name__}.{_where}")

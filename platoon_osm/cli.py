@@ -20,8 +20,8 @@ from .study.options import add_study_options
 
 if TYPE_CHECKING:
     from .network.road_network import RoadNetwork
-    from .planning.plans import JointPlan
     from .planning.scenario import Scenario
+    from .plans.records import JointPlan
 
 __all__ = ["main"]
 
@@ -227,8 +227,8 @@ def _say(text: str) -> None:
 
 def _demo(options: argparse.Namespace) -> None:
     from .planning.scenario import read_scenario
-    from .report.gis import write_geopackage
-    from .report.page import write_html
+    from .report.exports.gis import write_geopackage
+    from .report.pages.page import write_html
     from .sources.load import load_network
 
     options.output.mkdir(parents=True, exist_ok=True)
@@ -278,7 +278,7 @@ def _prepare(options: argparse.Namespace) -> None:
 
 
 def _download(options: argparse.Namespace) -> None:
-    from .sources.download import download
+    from .sources.overpass.download import download
     from .sources.truck import TruckRules
 
     rules = TruckRules(options.country, options.limiter)
@@ -345,7 +345,7 @@ def _check_outputs(paths: Iterable[Path]) -> None:
 
 def _compare(options: argparse.Namespace) -> None:
     from .planning.scenario import read_scenario
-    from .report.comparison import write_comparison
+    from .report.pages.comparison import write_comparison
     from .sources.load import load_network
 
     scenarios = [read_scenario(path) for path in options.scenario]
@@ -395,8 +395,8 @@ def _study(options: argparse.Namespace) -> None:
 
 
 def _warmup(options: argparse.Namespace) -> None:
-    from .network.engines import prepare, warm_up
-    from .network.store import open_network
+    from .network.saved.store import open_network
+    from .search.engine import prepare, warm_up
 
     with _steps(1 + len(options.networks)) as step:
         step("compiling")

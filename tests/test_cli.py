@@ -9,12 +9,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from places import ROOT
 
 import platoon_osm
+from platoon_osm.atomic_file import whole_file
 from platoon_osm.cli import main
-from platoon_osm.whole_file import whole_file
 
-ROOT = Path(__file__).resolve().parents[1]
 VERBS = ("demo", "maps", "prepare", "download", "plan", "study", "compare", "warmup")
 
 CORRIDOR = """

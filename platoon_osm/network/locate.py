@@ -7,18 +7,17 @@ import re
 import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Any, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import NetworkError
 from .geodesy import distance_m, metres_per_degree
+from .location import Location, Role
 from .road_network import POINT_KINDS, RoadNetwork, format_position
 
-__all__ = ["Location", "Role", "locate"]
-
-Role = Literal["origin", "destination", "any"]
+__all__ = ["locate"]
 
 SAME_PLACE_M = 6_000.0
 """Nodes of one name nearer than this are one place: its carriageways, ramps and toll gates."""
@@ -37,28 +36,6 @@ MOST_CANDIDATES = 12
 
 MOSTLY_CONNECTED = 0.5
 """Share of the road that the main component must hold to decide where trips may start and end."""
-
-
-@dataclass(frozen=True, slots=True)
-class Location:
-    """A place on the network.
-
-    Attributes
-    ----------
-    node : the nearest node that fits the role.
-    name : the name it is known by.
-    lon, lat : the place asked for [deg].
-    distance_m : from the place to the nearest road.
-    candidates : nodes a trip may start or end at with their distance [m], nearest first: both
-        carriageways and all ramps near the place. A trip takes the pair that suits its direction.
-    """
-
-    node: int
-    name: str
-    lon: float
-    lat: float
-    distance_m: float
-    candidates: tuple[tuple[int, float], ...]
 
 
 def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:

@@ -10,15 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import NetworkError
+from ..offers import offered
 from .geodesy import distance_m
 from .load_report import LoadReport, Source
+from .location import Location, Role
+from .shapes import ragged_order, shape_lengths_m
 from .texts import TextTable, encode_texts
 
 if TYPE_CHECKING:
     import geopandas
     import networkx
-
-    from .locate import Location, Role
 
 __all__ = ["POINT_KINDS", "ROAD_CLASSES", "NamedPoints", "RoadNetwork"]
 
@@ -445,78 +446,31 @@ class RoadNetwork:
         """Return the same network with another load report."""
         return replace(self, load_report=report)
 
-    # -- doors to the neighbouring rooms -------------------------------------------------------
+    # -- what upper rooms offer ----------------------------------------------------------------
 
     def locate(self, place: Any, role: Role = "any") -> Location:
         """Find the node of a place; see `platoon_osm.network.locate.locate`."""
-        from .locate import locate
-
-        return locate(self, place, role)
+        return offered("locate")(self, place, role)  # type: ignore[no-any-return]
 
     def save(self, path: Any) -> None:
-        """Write the project's own form; see `platoon_osm.network.store.save_network`."""
-        from .store import save_network
-
-        save_network(self, path)
+        """Write the project's own form; see `platoon_osm.network.saved.store.save_network`."""
+        offered("save_network")(self, path)
 
     def to_networkx(self) -> networkx.MultiDiGraph[int]:
-        """Return an OSMnx-style graph; see `platoon_osm.network.exchange.to_networkx`."""
-        from .exchange import to_networkx
-
-        return to_networkx(self)
+        """Return an OSMnx-style graph; see `platoon_osm.sources.graphs.exchange.to_networkx`."""
+        return offered("to_networkx")(self)  # type: ignore[no-any-return]
 
     @classmethod
     def from_networkx(cls, graph: Any) -> RoadNetwork:
-        """Read an OSMnx-style graph; see `platoon_osm.network.exchange.from_networkx`."""
-        from .exchange import from_networkx
-
-        return from_networkx(graph)
+        """Read an OSMnx-style graph; see `platoon_osm.sources.graphs.exchange.from_networkx`."""
+        return offered("from_networkx")(graph)  # type: ignore[no-any-return]
 
     def to_geodataframes(self) -> tuple[geopandas.GeoDataFrame, geopandas.GeoDataFrame]:
         """Return nodes and edges as GeoDataFrames in EPSG:4326."""
-        from .exchange import to_geodataframes
-
-        return to_geodataframes(self)
+        return offered("to_geodataframes")(self)  # type: ignore[no-any-return]
 
 
 def format_position(lon: float, lat: float) -> str:
     """Return coordinates as people write them: 45.070 N 7.690 E."""
     north, east = "N" if lat >= 0 else "S", "E" if lon >= 0 else "W"
     return f"{abs(lat):.3f} {north} {abs(lon):.3f} {east}"
-
-
-def ragged_order(
-    first: NDArray[np.int64], rows: NDArray[Any], backwards: bool = False
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return which points to take, to put the rows of a ragged array in another order.
-
-    Parameters
-    ----------
-    first : (m + 1,) where each row begins.
-    rows : (k,) rows to take, in order.
-    backwards : take each row's points from its end.
-
-    Returns
-    -------
-    points : positions in the old flat array.
-    new_first : (k + 1,) where each taken row begins.
-    """
-    size = np.diff(first)[rows]
-    new_first = np.zeros(len(rows) + 1, np.int64)
-    np.cumsum(size, out=new_first[1:])
-    step = np.arange(new_first[-1]) - np.repeat(new_first[:-1], size)
-    if backwards:
-        return np.repeat(first[1:][rows] - 1, size) - step, new_first
-    return np.repeat(first[:-1][rows], size) + step, new_first
-
-
-def shape_lengths_m(
-    first: NDArray[np.int64], lon: NDArray[Any], lat: NDArray[Any]
-) -> NDArray[np.float64]:
-    """Return the length [m] of each row of a ragged array of points."""
-    if len(lon) < 2:
-        return np.zeros(len(first) - 1)
-    step = distance_m(lon[:-1], lat[:-1], lon[1:], lat[1:])
-    step[first[1:-1] - 1] = 0.0
-    result: NDArray[np.float64] = np.add.reduceat(np.append(step, 0.0), first[:-1])
-    return result

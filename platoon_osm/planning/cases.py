@@ -19,9 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
-from ..network.best_pairs import best_pairs, entry_exit_costs, only_at
-from ..network.engines import EngineName, engine_for
 from ..network.road_network import RoadNetwork
+from ..search.engine import EngineName, engine_for
+from ..search.joining import best_pairs, entry_exit_costs, only_at
 
 __all__ = ["CASES", "Case", "MemberPlans", "best_pairs", "choose_points",
            "entry_exit_costs", "plan_members", "route_nodes"]  # fmt: skip

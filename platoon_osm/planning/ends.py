@@ -9,10 +9,10 @@ import numpy as np
 
 from ..costs.weights import EdgeWeights
 from ..errors import NoRouteError, ScenarioError
-from ..network.locate import Location
+from ..network.location import Location
 from ..network.road_network import RoadNetwork
-from ..network.search import ReferenceEngine
-from .trips import Trip
+from ..plans.trip import Trip
+from ..search.dijkstra import ReferenceEngine
 
 __all__ = ["TripEnds", "resolve_trips"]
 

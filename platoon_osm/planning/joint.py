@@ -12,18 +12,18 @@ from numpy.typing import NDArray
 from .._version import __version__
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
-from ..network.best_pairs import entry_exit_costs
 from ..network.road_network import RoadNetwork
-from ..network.search import ReferenceEngine
+from ..plans.records import JointPlan, VehiclePlan
+from ..plans.trip import Trip, check_one_clock
+from ..search.dijkstra import ReferenceEngine
+from ..search.joining import entry_exit_costs
 from .cases import CASES, MemberPlans, choose_points, route_nodes
 from .ends import TripEnds, resolve_trips
 from .pair import plan_pair
-from .plans import JointPlan, VehiclePlan
-from .records import Journey, identity_of, vehicle_plan
-from .routes import AstarRouter, DijkstraRouter, Method, Router
-from .schedule import with_times
+from .routers import AstarRouter, DijkstraRouter, Method, Router
 from .system import choose_for_system
-from .trips import Trip, check_one_clock
+from .timing.schedule import with_times
+from .writing import Journey, identity_of, vehicle_plan
 
 __all__ = ["Objective", "plan_joint"]
 

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..costs.weights import EdgeWeights
-from ..network.best_pairs import TIE
-from ..network.engines import EngineName, LeastCosts, engine_for
 from ..network.road_network import RoadNetwork
+from ..search.engine import EngineName, LeastCosts, engine_for
+from ..search.joining import TIE
 
 __all__ = ["PairPlan", "plan_pair"]
 

@@ -15,9 +15,9 @@ from typing import Any
 from ..costs.weights import EdgeWeights, PaperCosts, paper_weights
 from ..errors import PlatoonError, ScenarioError
 from ..network.road_network import RoadNetwork
+from ..plans.records import JointPlan
+from ..plans.trip import TIMES, Trip, check_one_clock
 from .joint import plan_joint
-from .plans import JointPlan
-from .trips import TIMES, Trip, check_one_clock
 
 __all__ = ["Scenario", "ScenarioTrip", "read_scenario"]
 

@@ -1,12 +1,12 @@
 """What people look at: the HTML pages of plans, figures, and files for other programs."""
 
-from .comparison import comparison_document, write_comparison
-from .document import DOCUMENT_VERSION, report_document
-from .figures import write_figures
-from .flows import flow_document, write_flows
-from .gis import to_geodataframe, write_geopackage
-from .page import explore, plan_map, write_html
-from .tracks import write_csv, write_gpx
+from .charts.figures import write_figures
+from .document.document import DOCUMENT_VERSION, report_document
+from .exports.gis import to_geodataframe, write_geopackage
+from .exports.tracks import write_csv, write_gpx
+from .pages.comparison import comparison_document, write_comparison
+from .pages.flows import flow_document, write_flows
+from .pages.page import explore, plan_map, write_html
 
 __all__ = [
     "DOCUMENT_VERSION",

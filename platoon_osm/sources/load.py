@@ -11,9 +11,9 @@ from typing import Any
 from ..errors import MapDataError, ScenarioError
 from ..network.load_report import Source
 from ..network.road_network import ROAD_CLASSES, RoadNetwork
-from ..network.store import MAGIC, open_network
+from ..network.saved.store import MAGIC, open_network
 from .catalog import BUNDLED_MAPS, bundled_path
-from .osm import MOTORWAY_CLASSES, read_osm
+from .osm.extract import MOTORWAY_CLASSES, read_osm
 from .truck import TruckRules
 
 __all__ = ["load_network"]
@@ -59,7 +59,7 @@ def load_network(
         )
     net = _read(source, tuple(classes), country, limiter_kmh)
     if infer_links and not net.inferred.any():
-        from ..network.inferred_links import infer_links as add_links
+        from ..network.preparing.inferred_links import infer_links as add_links
 
         net = add_links(net)
     return _with_connection_remark(net)
@@ -72,7 +72,7 @@ def _read(
         return source
     rules = TruckRules(country, limiter_kmh)
     if not isinstance(source, str | os.PathLike):
-        from .osmnx_graph import network_from_osmnx
+        from .graphs.osmnx_graph import network_from_osmnx
 
         return _with_speed_remark(network_from_osmnx(source, classes, rules), rules)
     if isinstance(source, str) and (found := bundled_path(source)):
@@ -100,12 +100,13 @@ def _read_file(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadN
         return _opened(path, classes, rules)
     suffix = path.suffix.lower()
     if suffix in {".graphml", ".gpkg", ".json"}:
-        from . import osmnx_graph
+        from .graphs import osmnx_graph
+        from .overpass import answers
 
         reader = {
             ".graphml": osmnx_graph.read_graphml,
             ".gpkg": osmnx_graph.read_geopackage,
-            ".json": osmnx_graph.read_overpass_cache,
+            ".json": answers.read_overpass_cache,
         }[suffix]
         return _with_speed_remark(reader(path, classes, rules), rules)
     return _with_speed_remark(read_osm(path, classes, rules), rules)

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..errors import MapDataError
 from ..network.load_report import LoadReport
+from ..network.preparing.simplify import merge_chains
 from ..network.road_network import RoadNetwork
-from ..network.simplify import merge_chains
 from .truck import TruckRules, WayReading, read_way
 
 __all__ = ["RoadChoice"]

@@ -10,8 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from ..atomic_file import whole_file
 from ..errors import ScenarioError
-from ..whole_file import whole_file
 from .monte_carlo import StudyResult, run_study
 from .parts import make_folder
 from .settings import Study
@@ -29,7 +29,7 @@ def studies_of(options: argparse.Namespace) -> list[Study]:
     ScenarioError
         An option out of range.
     """
-    from ..sources.synthetic import RandomNetwork
+    from .random_network import RandomNetwork
 
     grid = options.grid
     if grid < 1:

@@ -11,10 +11,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..errors import ScenarioError
-from ..planning.routes import Method
-from ..sources.synthetic import RandomNetwork
+from ..planning.routers import Method
 from .measures import INVOLVEMENTS, TOTALS, Estimate, Measures
 from .monte_carlo import StudyResult
+from .random_network import RandomNetwork
 
 __all__ = ["PRINTED", "Printed", "Row", "agreement", "compare", "network_label", "verdict"]
 

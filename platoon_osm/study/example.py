@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..network.search import ReferenceEngine
-from ..sources.synthetic import Draw
+from ..search.dijkstra import ReferenceEngine
 from .monte_carlo import StudyResult
+from .random_network import Draw
 
 __all__ = ["Example", "example_of"]
 

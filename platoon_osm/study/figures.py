@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from ..whole_file import whole_file
+from ..atomic_file import whole_file
 from .comparison import network_label
 from .example import Example
 from .measures import Measures

@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..network.best_pairs import TIE
+from ..search.joining import TIE
 
 __all__ = ["best_on_grid", "shared_metres"]
 

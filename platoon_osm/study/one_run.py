@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 
 from ..costs.fatigue import fatigue_heuristic
 from ..network.geodesy import distance_m
-from ..network.search import ReferenceEngine
-from ..planning.routes import AstarRouter, Method
-from ..sources.synthetic import Draw
+from ..planning.routers import AstarRouter, Method
+from ..search.dijkstra import ReferenceEngine
 from .grid import best_on_grid, shared_metres
+from .random_network import Draw
 from .settings import Study
 
 __all__ = [

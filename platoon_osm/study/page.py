@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from .._version import __version__
-from ..whole_file import whole_file
+from ..atomic_file import whole_file
 from .shown_tables import ShownTable
 
 __all__ = ["write_page"]

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ..atomic_file import whole_file
 from ..errors import ScenarioError
-from ..whole_file import whole_file
 
 __all__ = ["load_part", "make_folder", "part_path", "save_part"]
 

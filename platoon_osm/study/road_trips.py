@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..errors import MapDataError, ScenarioError
 from ..network.geodesy import distance_m, east_north_m
 from ..network.road_network import RoadNetwork
-from ..sources.synthetic import Draw
+from .random_network import Draw
 
 __all__ = ["FARTHEST_PLACE_M", "Flows", "RoadTrips", "read_flows"]
 
@@ -143,7 +143,7 @@ class RoadTrips:
         return distance_m(net.lon[nodes], net.lat[nodes], net.lon[centre], net.lat[centre])
 
     def _lengths(self, origins: Index) -> Floats:
-        from ..network.search import ReferenceEngine
+        from ..search.dijkstra import ReferenceEngine
 
         return ReferenceEngine(self.net, self.net.length_m).distances(origins)
 

@@ -15,8 +15,8 @@ from .._version import __version__
 from ..costs.weights import Mixing, PaperCosts
 from ..errors import ScenarioError
 from ..planning.cases import Case
-from ..planning.routes import Method
-from ..sources.synthetic import RandomNetwork
+from ..planning.routers import Method
+from .random_network import RandomNetwork
 from .road_trips import RoadTrips
 
 __all__ = ["PAPER_STUDY", "Study", "Total"]

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..sources.synthetic import Draw
-from ..whole_file import whole_file
+from ..atomic_file import whole_file
 from .comparison import PRINTED, Row, network_label
 from .example import Example
 from .measures import INVOLVEMENTS, TOTALS, Measures
 from .monte_carlo import StudyResult
 from .one_run import DRIVES_AFTER, DRIVES_BEFORE, JOINED, MASTER_GOES_ON, MASTER_UNDERWAY
+from .random_network import Draw
 
 __all__ = [
     "write_comparison", "write_costs", "write_involvement", "write_network", "write_parquet",

@@ -9,7 +9,8 @@ from made_networks import network, random_networks, same_network, small_italy
 from platoon_osm.errors import NetworkError
 from platoon_osm.network.geodesy import distance_m
 from platoon_osm.network.load_report import LoadReport
-from platoon_osm.network.road_network import RoadNetwork, format_position, ragged_order
+from platoon_osm.network.road_network import RoadNetwork, format_position
+from platoon_osm.network.shapes import ragged_order
 
 
 def two_edges(**changes):

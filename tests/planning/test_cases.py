@@ -9,7 +9,6 @@ from random_networks import network, road_networks, routes, tied_networks
 
 from platoon_osm.costs.weights import EdgeWeights, paper_weights
 from platoon_osm.errors import ScenarioError
-from platoon_osm.network.search import ReferenceEngine
 from platoon_osm.planning.cases import (
     MemberPlans,
     best_pairs,
@@ -18,6 +17,7 @@ from platoon_osm.planning.cases import (
     plan_members,
     route_nodes,
 )
+from platoon_osm.search.dijkstra import ReferenceEngine
 
 
 def choice_of(plans, k, net, route):

@@ -22,7 +22,7 @@ from random_networks import network
 
 from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.planning.joint import plan_joint
-from platoon_osm.planning.trips import Trip
+from platoon_osm.plans.trip import Trip
 
 WEST, NORTH, SOUTH, EAST = range(4)
 A, B = Trip("A", WEST, EAST), Trip("B", SOUTH, EAST)

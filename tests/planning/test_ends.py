@@ -8,11 +8,11 @@ from random_networks import network, road_networks
 
 from platoon_osm.costs.weights import paper_weights
 from platoon_osm.errors import NoRouteError, ScenarioError
-from platoon_osm.network.locate import Location
-from platoon_osm.network.search import ReferenceEngine
+from platoon_osm.network.location import Location
 from platoon_osm.planning.ends import ACCESS_DETOUR, resolve_trips
 from platoon_osm.planning.joint import plan_joint
-from platoon_osm.planning.trips import Trip
+from platoon_osm.plans.trip import Trip
+from platoon_osm.search.dijkstra import ReferenceEngine
 
 
 def place(name, *candidates):

@@ -8,11 +8,11 @@ import csv
 from pathlib import Path
 
 import pytest
+from places import ROOT
 
 import platoon_osm as po
 from platoon_osm.planning.scenario import read_scenario
 
-ROOT = Path(__file__).parents[2]
 SCENARIOS = Path(po.__file__).parent / "scenarios"
 PER_KM_ALONE, PER_KM_TOGETHER = 37 / 12, 2.1476  # eq. 12, and eq. 13 at (1, 0.18)
 

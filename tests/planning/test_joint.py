@@ -13,8 +13,8 @@ from platoon_osm.costs.weights import paper_weights
 from platoon_osm.errors import NetworkError, NoRouteError, PlatoonError, ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.joint import plan_joint
-from platoon_osm.planning.plans import JointPlan
-from platoon_osm.planning.trips import Trip
+from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.trip import Trip
 
 CASES = ("A", "B", "C")
 MODERATE = settings(max_examples=40, deadline=None)

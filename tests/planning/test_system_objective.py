@@ -9,11 +9,11 @@ from random_networks import network, problems, routes, tied_networks
 
 from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.errors import NoRouteError, ScenarioError
-from platoon_osm.network.search import ReferenceEngine
 from platoon_osm.planning.cases import choose_points, entry_exit_costs, route_nodes
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.planning.system import lower_bound
-from platoon_osm.planning.trips import Trip
+from platoon_osm.plans.trip import Trip
+from platoon_osm.search.dijkstra import ReferenceEngine
 
 
 def plan_and_optimum(data, most_members, members_at_least=1):

@@ -10,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.report.basemap import basemap_lines, encoded_basemap, encoded_route
-from platoon_osm.report.leaflet import load_leaflet
-from platoon_osm.report.map_view import shifted
-from platoon_osm.report.placement import SOLID, Box, Cover
-from platoon_osm.report.polyline import decode_polyline, encode_polyline
-from platoon_osm.report.shown_text import shown
+from platoon_osm.report.drawing.basemap import basemap_lines, encoded_basemap, encoded_route
+from platoon_osm.report.drawing.map_view import shifted
+from platoon_osm.report.drawing.placement import SOLID, Box, Cover
+from platoon_osm.report.drawing.polyline import decode_polyline, encode_polyline
+from platoon_osm.report.markup.leaflet import load_leaflet
+from platoon_osm.report.markup.shown_text import shown
 
 COORDINATE = st.tuples(st.floats(-180, 180), st.floats(-85, 85))
 
@@ -36,7 +36,7 @@ def test_polyline_of_the_published_example() -> None:
 
 
 def test_roads_there_and_back_are_drawn_once(net: RoadNetwork) -> None:
-    from platoon_osm.network.road_network import shape_lengths_m
+    from platoon_osm.network.shapes import shape_lengths_m
 
     lines = basemap_lines(net, np.arange(net.m), 0.0)
     first = np.concatenate([[0], np.cumsum([len(line) for line in lines])])

@@ -15,10 +15,10 @@ import pytest
 
 import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
-from platoon_osm.report.fragments import asset, compact_asset
-from platoon_osm.report.page_parts import SCRIPTS
+from platoon_osm.report.markup.fragments import asset, compact_asset
+from platoon_osm.report.pages.page_parts import SCRIPTS
 
 Visit = Callable[..., Any]
 
@@ -179,7 +179,7 @@ def test_inks_of_the_style_sheet_are_those_checked() -> None:
 
 
 def test_flow_colours_are_told_apart_in_grey() -> None:
-    from platoon_osm.report.flows import COLOURS
+    from platoon_osm.report.pages.flows import COLOURS
 
     assert contrast(COLOURS[0], "#ffffff") > 1.9
     assert all(contrast(a, b) > 1.35 for a, b in pairwise(COLOURS))

@@ -12,13 +12,13 @@ from platoon_osm.costs.weights import paper_weights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
-from platoon_osm.report.basemap import ROUTE_STEPS
-from platoon_osm.report.document import DOCUMENT_VERSION, joined, report_document
-from platoon_osm.report.polyline import decode_polyline
-from platoon_osm.report.quantities import cost_unit, signed
-from platoon_osm.report.sections import platoon_sections
-from platoon_osm.report.vehicle_styles import vehicle_styles
+from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.stretches import platoon_sections
+from platoon_osm.report.document.document import DOCUMENT_VERSION, joined, report_document
+from platoon_osm.report.drawing.basemap import ROUTE_STEPS
+from platoon_osm.report.drawing.polyline import decode_polyline
+from platoon_osm.report.drawing.vehicle_styles import vehicle_styles
+from platoon_osm.report.markup.quantities import cost_unit, signed
 
 
 def test_document_is_plain_json(plan: JointPlan, net: RoadNetwork) -> None:

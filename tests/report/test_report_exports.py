@@ -18,13 +18,13 @@ import pytest
 from hostile_names import HOSTILE
 from po_valley import THREE, make_plan, po_valley
 
-from platoon_osm.display import offered
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.offers import offered
+from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import explore, write_csv, write_figures, write_gpx
-from platoon_osm.report.shown_text import shown
+from platoon_osm.report.markup.shown_text import shown
 
 SVG = "{http://www.w3.org/2000/svg}"
 

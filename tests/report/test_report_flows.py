@@ -11,9 +11,9 @@ import pytest
 from po_valley import make_plan
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import flow_document, write_flows
-from platoon_osm.report.flows import CLASSES, flow_class
+from platoon_osm.report.pages.flows import CLASSES, flow_class
 
 Visit = Callable[..., Any]
 

@@ -13,12 +13,12 @@ from po_valley import fifty, make_plan
 
 import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.stretches import platoon_groups, platoon_parts, platoon_sections
 from platoon_osm.report import report_document, write_html
-from platoon_osm.report.fragments import fill
-from platoon_osm.report.map_view import bands_width
-from platoon_osm.report.panel import page_body
-from platoon_osm.report.sections import platoon_groups, platoon_parts, platoon_sections
+from platoon_osm.report.drawing.map_view import bands_width
+from platoon_osm.report.markup.fragments import fill
+from platoon_osm.report.pages.panel import page_body
 
 Visit = Callable[..., Any]
 

@@ -12,11 +12,11 @@ import pytest
 
 from platoon_osm.costs.fatigue import FITTED_RANGE_S, FatigueModel
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.stretches import platoon_sections
 from platoon_osm.report import report_document, write_html
-from platoon_osm.report.driver_fatigue import fatigue_along
-from platoon_osm.report.journey import journey, ways
-from platoon_osm.report.sections import platoon_sections
+from platoon_osm.report.document.driver_fatigue import fatigue_along
+from platoon_osm.report.document.journey import journey, ways
 
 Visit = Callable[..., Any]
 

@@ -12,10 +12,10 @@ import pytest
 from po_valley import THREE, Journey, make_plan
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import report_document, write_html
-from platoon_osm.report.map_view import MapView, bands_width, laid, solo_aside
-from platoon_osm.report.opposite import opposite_gaps
+from platoon_osm.report.document.opposite import opposite_gaps
+from platoon_osm.report.drawing.map_view import MapView, bands_width, laid, solo_aside
 
 Visit = Callable[..., Any]
 

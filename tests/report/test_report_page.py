@@ -9,13 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from places import ROOT
 from po_valley import THREE, make_plan
 
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import plan_map, write_html
-from platoon_osm.report.leaflet import SHA256
+from platoon_osm.report.markup.leaflet import SHA256
 
 Visit = Callable[..., Any]
 
@@ -448,7 +449,7 @@ def test_proof_and_provenance_are_told(
 def test_plan_of_the_planner_on_the_bundled_map(visit: Visit, tmp_path: Path) -> None:
     import platoon_osm
 
-    source = Path(__file__).parents[2] / "maps" / "italy-motorways.osm"
+    source = ROOT / "maps" / "italy-motorways.osm"
     if not source.exists() or not source.stat().st_size:
         pytest.skip("no bundled map")
     net = platoon_osm.load_network(source)

@@ -21,10 +21,10 @@ from test_report_budgets import contrast
 import platoon_osm
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
 from platoon_osm.planning.scenario import read_scenario
-from platoon_osm.planning.schedule import with_times
-from platoon_osm.planning.trips import Trip
+from platoon_osm.planning.timing.schedule import with_times
+from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.trip import Trip
 from platoon_osm.report import (
     report_document,
     to_geodataframe,
@@ -36,8 +36,8 @@ from platoon_osm.report import (
     write_gpx,
     write_html,
 )
-from platoon_osm.report.fragments import asset, compact_asset
-from platoon_osm.report.schedule_chart import LATE, clock_text, hour_ticks
+from platoon_osm.report.charts.schedule_chart import LATE, clock_text, hour_ticks
+from platoon_osm.report.markup.fragments import asset, compact_asset
 
 Visit = Callable[..., Any]
 

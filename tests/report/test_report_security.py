@@ -16,11 +16,11 @@ from po_valley import THREE, make_plan, po_valley, two_platoons
 
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.plans import JointPlan
+from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
-from platoon_osm.report.fragments import fill
-from platoon_osm.report.security import json_for_html
-from platoon_osm.report.shown_text import fitted, shown
+from platoon_osm.report.markup.fragments import fill
+from platoon_osm.report.markup.security import json_for_html
+from platoon_osm.report.markup.shown_text import fitted, shown
 
 
 def hostile_case(name: str) -> tuple[JointPlan, RoadNetwork]:

@@ -1,11 +1,10 @@
 """Style sheets parse without error: browsers drop what they cannot read, and say nothing."""
 
-from pathlib import Path
-
 import pytest
 import tinycss2
+from places import ROOT
 
-ASSETS = Path(__file__).resolve().parents[2] / "platoon_osm" / "report" / "assets"
+ASSETS = ROOT / "platoon_osm" / "report" / "assets"
 
 
 def errors(nodes):

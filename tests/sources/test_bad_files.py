@@ -3,18 +3,18 @@
 import bz2
 import gzip
 from itertools import pairwise
-from pathlib import Path
 
 import osmium
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from osm_files import MOTORWAY, row, write, xml
+from places import SHARED as BESIDE
 
 from platoon_osm.errors import MapDataError
 from platoon_osm.sources.load import load_network
 
-SHARED = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "osm"
+SHARED = BESIDE / "data" / "osm"
 WAY = {10: ([1, 2], MOTORWAY)}
 
 

@@ -11,8 +11,8 @@ from small_osm import NODES, ROADS, WAYS, as_overpass
 from platoon_osm.errors import MapDataError, NetworkError, ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.sources.catalog import BUNDLED_MAPS, bundled_path
-from platoon_osm.sources.download import osmnx_settings
 from platoon_osm.sources.load import load_network
+from platoon_osm.sources.overpass.download import osmnx_settings
 
 CROSSING = {
     1: (11.0, 45.05, {}), 2: (11.1, 45.05, {}), 3: (11.05, 45.0, {}), 4: (11.05, 45.1, {}),

@@ -1,15 +1,14 @@
 """Real extracts of OpenStreetMap, where they are: counts, lengths and known distances."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from places import SHARED as BESIDE
 
-from platoon_osm.network.engines import many_to_many
 from platoon_osm.network.road_network import ROAD_CLASSES
+from platoon_osm.search.engine import many_to_many
 from platoon_osm.sources.load import load_network
 
-SHARED = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "osm"
+SHARED = BESIDE / "data" / "osm"
 SAN_DIEGO, SACRAMENTO = (-117.16, 32.715), (-121.494, 38.58)
 LOS_ANGELES, SAN_FRANCISCO = (-118.243, 34.052), (-122.41, 37.775)
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from platoon_osm.network.best_pairs import best_pairs
+from platoon_osm.search.joining import best_pairs
 from platoon_osm.study import grid
 from platoon_osm.study.grid import best_on_grid, shared_metres
 

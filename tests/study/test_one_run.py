@@ -6,11 +6,10 @@ from hand_made import KM, ramps
 
 from platoon_osm.costs.fatigue import fatigue_heuristic
 from platoon_osm.costs.weights import paper_weights
-from platoon_osm.network.search import ReferenceEngine
 from platoon_osm.planning.cases import plan_members
 from platoon_osm.planning.joint import plan_joint
-from platoon_osm.planning.trips import Trip
-from platoon_osm.sources.synthetic import RandomNetwork
+from platoon_osm.plans.trip import Trip
+from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.study.one_run import (
     DRIVES_AFTER,
     DRIVES_BEFORE,
@@ -19,6 +18,7 @@ from platoon_osm.study.one_run import (
     MASTER_UNDERWAY,
     plan_draw,
 )
+from platoon_osm.study.random_network import RandomNetwork
 from platoon_osm.study.settings import Study
 
 W_SOLO = 3 + 1 / 12  # 1 + (1 + 2700 / 32400) + 1

@@ -7,7 +7,7 @@ import platoon_osm as po
 from platoon_osm.cli import main
 from platoon_osm.errors import MapDataError, ScenarioError
 from platoon_osm.network.geodesy import distance_m
-from platoon_osm.network.search import ReferenceEngine
+from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.study.monte_carlo import run_study
 from platoon_osm.study.road_trips import RoadTrips, read_flows
 from platoon_osm.study.settings import Study

@@ -1,0 +1,118 @@
+"""Merge chains of edges that only pass through a node, keeping shape, length and driving time."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..road_network import RoadNetwork
+from ..shapes import ragged_order
+from .chains import Chains, contract_chains
+
+__all__ = ["merge_chains"]
+
+
+def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> RoadNetwork:
+    """Return the network without nodes of degree two, each chain being one edge.
+
+    Lengths and driving times add up; the shape passes all points. Road number, name, class and
+    way are those of the longest part of the chain. A node stays where the toll begins or
+    ends, where inferred road meets mapped road, and where `keep` says so.
+
+    Parameters
+    ----------
+    keep : (n,) nodes that must stay, such as named junctions.
+    """
+    tail, head = net.tail.astype(np.int64), net.head.astype(np.int64)
+    stay = _where_values_change(net) if keep is None else keep | _where_values_change(net)
+    chains = contract_chains(tail, head, net.n, stay)
+    count = len(chains.first) - 1
+    starts, ends = chains.first[:-1], chains.first[1:] - 1
+    new_tail, new_head = tail[chains.segments[starts]], head[chains.segments[ends]]
+    used = np.zeros(net.n, bool)
+    used[new_tail] = used[new_head] = True
+    renumbered = np.cumsum(used) - 1
+    length = np.add.reduceat(net.length_m[chains.segments], starts) if count else np.zeros(0)
+    time = (
+        np.add.reduceat((net.length_m / net.speed_mps)[chains.segments], starts)
+        if count
+        else np.zeros(0)
+    )
+    first_speed = net.speed_mps[chains.segments[starts]]
+    speed = np.divide(length, time, out=first_speed.copy(), where=time > 0)
+    points, shape_first = _joined_shapes(net, chains)
+    return RoadNetwork.from_edges(
+        renumbered[new_tail],
+        renumbered[new_head],
+        length,
+        lon=net.lon[used],
+        lat=net.lat[used],
+        speed_mps=speed,
+        node_id=net.node_id[used],
+        node_name=net.node_name[used],
+        node_ref=net.node_ref[used],
+        road_class=_of_longest_part(net.road_class, net.length_m, chains),
+        ref=_of_longest_part(net.ref, net.length_m, chains),
+        name=_of_longest_part(net.name, net.length_m, chains),
+        toll=net.toll[chains.segments[starts]],
+        inferred=net.inferred[chains.segments[starts]],
+        way_id=_of_longest_part(net.way_id, net.length_m, chains),
+        shape_first=shape_first,
+        shape_lon=net.shape_lon[points],
+        shape_lat=net.shape_lat[points],
+        texts=net.texts,
+        points=net.points,
+        source=net.source,
+        report=net.load_report,
+    )
+
+
+def _where_values_change(net: RoadNetwork) -> NDArray[np.bool_]:
+    """Mark nodes whose edges differ in toll or in being inferred: costs change there."""
+    changes = np.zeros(net.n, bool)
+    for values in (net.toll, net.inferred):
+        with_it = np.zeros(net.n, bool)
+        without = np.zeros(net.n, bool)
+        for ends in (net.tail, net.head):
+            with_it[ends[values]] = True
+            without[ends[~values]] = True
+        changes |= with_it & without
+    return changes
+
+
+def _of_longest_part(
+    values: NDArray[np.generic], length_m: NDArray[np.float64], chains: Chains
+) -> NDArray[np.generic]:
+    """Return for each chain the value that holds on most of its length."""
+    starts = chains.first[:-1]
+    ordered = values[chains.segments]
+    result = ordered[starts]
+    chain = np.repeat(np.arange(len(starts)), np.diff(chains.first))
+    mixed = np.zeros(len(starts), bool)
+    mixed[chain[ordered != result[chain]]] = True
+    rows = np.flatnonzero(mixed[chain])
+    if not len(rows):
+        return result
+    order = rows[np.lexsort((ordered[rows], chain[rows]))]
+    key_change = np.ones(len(order), bool)
+    key_change[1:] = (chain[order][1:] != chain[order][:-1]) | (
+        ordered[order][1:] != ordered[order][:-1]
+    )
+    groups = np.flatnonzero(key_change)
+    total = np.add.reduceat(length_m[chains.segments[order]], groups)
+    of_chain, of_value = chain[order][groups], ordered[order][groups]
+    # Sorting by length last to first leaves the longest part as the one that is written last.
+    last = np.argsort(total, kind="stable")
+    result[of_chain[last]] = of_value[last]
+    return result
+
+
+def _joined_shapes(net: RoadNetwork, chains: Chains) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return the points of each chain: those of its segments without the doubled joints."""
+    points, first = ragged_order(net.shape_first, chains.segments)
+    keep = np.ones(len(points), bool)
+    keep[first[1:] - 1] = False
+    keep[first[chains.first[1:]] - 1] = True
+    # Count kept points up to each chain's end.
+    upto = np.concatenate([[0], np.cumsum(keep)])
+    return points[keep], upto[first[chains.first]]

@@ -1,0 +1,1 @@
+"""The saved form of a network: one file, checked before it is trusted."""

@@ -1,0 +1,1 @@
+"""When everyone drives: pieces driven by one company, and their times."""

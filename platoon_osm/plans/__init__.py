@@ -1,0 +1,1 @@
+"""What is asked and what is answered: immutable records, and how they are read aloud."""

@@ -1,0 +1,79 @@
+"""What a vehicle gains by waiting: bars of fuel saved against the time it waits on the road."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from ..drawing.vehicle_styles import letter_size
+from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.quantities import MINUS, litres
+
+__all__ = ["waiting_bars"]
+
+LEFT, ZERO, RIGHT = 98.0, 160.0, 316.0
+ROW = 28
+
+
+def waiting_bars(document: dict[str, Any], members: Sequence[int], key: str = "") -> Markup:
+    """Return a bar per vehicle; nothing if the plan has no times."""
+    if document["schedule"] is None or not members:
+        return NOTHING
+    vehicles = [document["vehicles"][index] for index in members]
+    saved = [vehicle["alone_fuel_l"] - vehicle["fuel_l"] for vehicle in vehicles]
+    waits = [vehicle["times"]["waiting_s"] for vehicle in vehicles]
+    if max(saved) <= 0 and max(waits) < 30:
+        return NOTHING
+    per_litre = (RIGHT - ZERO) / max(*saved, 1e-9)
+    per_second = (ZERO - LEFT) / max(*waits, 600.0)
+    rows = [
+        _row(vehicle, litre * per_litre, wait * per_second, litre, 20 + ROW * place)
+        for place, (vehicle, litre, wait) in enumerate(zip(vehicles, saved, waits, strict=True))
+    ]
+    return fill(
+        "waiting-bars",
+        key=key,
+        height=20 + ROW * len(vehicles) - 4,
+        zero=ZERO,
+        left=ZERO - 6,
+        right=ZERO + 6,
+        rows=join(rows),
+        title="; ".join(
+            f"{vehicle['letter']} {_litres(litre)}, {vehicle['times']['text']['waiting']}"
+            for vehicle, litre in list(zip(vehicles, saved, strict=True))[:12]
+        ),
+    )
+
+
+def _row(
+    vehicle: dict[str, Any], fuel_width: float, wait_width: float, litre: float, y: float
+) -> Markup:
+    shapes: list[Markup] = []
+    if fuel_width > 0:
+        shapes.append(
+            fill("waiting-fuel", x=ZERO, width=f"{fuel_width:.1f}", colour=vehicle["colour"])
+        )
+    shapes.append(
+        fill(
+            "waiting-text", x=f"{ZERO + max(fuel_width, 0.0) + 6:.1f}", anchor="start",
+            text=_litres(litre),
+        )
+    )  # fmt: skip
+    if vehicle["times"]["waiting_s"] >= 30:
+        shapes.append(fill("waiting-time", x=f"{ZERO - wait_width:.1f}", width=f"{wait_width:.1f}"))
+    else:
+        wait_width = 0.0
+    shapes.append(
+        fill(
+            "waiting-text", x=f"{ZERO - wait_width - 6:.1f}", anchor="end",
+            text=vehicle["times"]["text"]["waiting"],
+        )
+    )  # fmt: skip
+    return fill(
+        "waiting-row", y=y, colour=vehicle["colour"], letter=vehicle["letter"],
+        size=letter_size(vehicle["letter"]), shapes=join(shapes),
+    )  # fmt: skip
+
+
+def _litres(litre: float) -> str:
+    return litres(litre).replace("-", MINUS)

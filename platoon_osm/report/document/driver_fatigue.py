@@ -1,0 +1,58 @@
+"""Fatigue of a driver along a journey, alone and as planned, by hours of driving.
+
+The curves are read by driving time alone, and the time of day is left out, for not every plan has
+one. What a driver does in a platoon is taken as in the paper: the driving clock stands. So it does
+while a driver waits.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...costs.fatigue import FITTED_RANGE_S, FatigueModel, driving_clock
+from ...plans.records import VehiclePlan
+from ...plans.timetable import VehicleTimes
+
+__all__ = ["fatigue_along"]
+
+MODEL = FatigueModel("monotone", task_relief=1.0)
+STEP_S = 900.0
+
+
+def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> dict[str, Any]:
+    """Return fatigue alone and as planned, each `hours` and `values`, and the highest of each.
+
+    Hours count from the departure; those of waiting count too where `times` are known.
+    """
+    alone = _curve([("solo", vehicle.alone.time_s)])
+    legs: list[tuple[str, float]] = []
+    for number, leg in enumerate(vehicle.legs):
+        if times is not None and times.waits[number]:
+            # The clock stands as in a platoon whose drivers are relieved of all they do.
+            legs.append(("platoon", times.waits[number]))
+        legs.append((_role(leg.role), leg.time_s))
+    joint = _curve(legs)
+    return {
+        "alone": alone,
+        "joint": joint,
+        "alone_peak": max(alone["values"]),
+        "joint_peak": max(joint["values"]),
+    }
+
+
+def _role(role: str) -> str:
+    return "platoon" if role == "platoon" else "solo"
+
+
+def _curve(legs: list[tuple[str, float]]) -> dict[str, Any]:
+    time_s, clock_s = driving_clock(legs, MODEL.task_relief, STEP_S)
+    # Beyond the range of the curves the last value is held: it can only be too low.
+    values: NDArray[np.float64] = MODEL.along(np.minimum(clock_s, FITTED_RANGE_S[1]))
+    return {
+        "hours": [round(float(t) / 3600, 3) for t in time_s],
+        "values": [round(float(value), 2) for value in values],
+        "beyond": bool(clock_s[-1] > FITTED_RANGE_S[1]),
+    }

@@ -1,0 +1,132 @@
+"""Where a plan comes from: network, parameters, method, proof, version, and who is to be named."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ...network.road_network import RoadNetwork
+from ...plans.records import JointPlan
+from ..markup.quantities import CostUnit, cost_unit, percent
+from ..markup.shown_text import fitted, shown
+
+__all__ = ["OSM_CREDIT", "credits", "proof_text", "provenance"]
+
+OSM_CREDIT = "\u00a9 OpenStreetMap contributors, ODbL"
+
+METHODS = {"dijkstra": "Dijkstra", "astar": "A*"}
+
+PROOF_KEYS = frozenset({"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum"})
+
+
+def provenance(plan: JointPlan, net: RoadNetwork) -> dict[str, Any]:
+    """Return the provenance part of a report document: rows of label and text, and credits."""
+    identity = plan.network
+    extracted = identity.extracted or net.source.extracted
+    network = f"{identity.name}, {identity.nodes:,} nodes, {identity.edges:,} edges"
+    rows = [
+        ["Network", network],
+        ["Data of", _day(extracted)],
+        ["sha256", identity.sha256],
+        ["Graph", identity.identity],
+        ["Method", _method(plan)],
+        ["Costs", ", ".join(_parameters(plan.params))],
+        ["Made by", f"platoon_osm {plan.version}".strip()],
+    ]
+    return {
+        "rows": [[label, fitted(text)] for label, text in rows if text],
+        "proof": fitted(proof_text(plan.proof, cost_unit(plan.unit))),
+        "remarks": [fitted(remark) for remark in plan.remarks],
+        "credits": credits(plan, net),
+    }
+
+
+def credits(plan: JointPlan, net: RoadNetwork) -> list[str]:
+    """Return who is to be named with the map, on every page and in every file.
+
+    The source's own words come first. OpenStreetMap is named too, unless those words already do.
+    """
+    lines: list[str] = []
+    for source in (net.source, plan.network):
+        own = ", ".join(text for text in (shown(source.attribution), shown(source.licence)) if text)
+        if own and own not in lines:
+            lines.append(fitted(own))
+    if not any("openstreetmap" in line.casefold() for line in lines):
+        lines.append(OSM_CREDIT)
+    return lines
+
+
+def proof_text(proof: Mapping[str, Any], unit: CostUnit) -> str:
+    """Return in a sentence how good a plan is known to be."""
+    kind = shown(proof.get("kind", ""))
+    bound, gap = _number(proof, "bound"), _number(proof, "gap")
+    excess, optimum = _number(proof, "excess"), _number(proof, "optimum")
+    solo_excess = _number(proof, "solo_excess")
+    parts: list[str] = []
+    if kind == "exact":
+        parts.append("Proved optimal")
+    elif kind:
+        parts.append(kind[:1].upper() + kind[1:])
+    if gap is not None:
+        parts.append(f"at most {percent(gap)} above the optimum")
+    if bound is not None:
+        parts.append(f"no plan can cost less than {unit.full(bound)}")
+    if excess is not None:
+        # The planner's optimum is that of its own case: another way of counting may lie below it.
+        side = "above" if excess >= 0 else "below"
+        parts.append(f"found by the paper's A*, {percent(abs(excess))} {side} the optimum")
+    if solo_excess is not None:
+        parts.append(f"its routes alone cost {percent(solo_excess)} above the least")
+    if optimum is not None:
+        parts.append(f"the optimum costs {unit.full(optimum)}")
+    parts += _sentences(proof.get("conditions"))
+    parts += [
+        f"{shown(key).replace('_', ' ')}: {_value(value)}"
+        for key, value in proof.items()
+        if key not in PROOF_KEYS and value not in (None, "", (), [])
+    ]
+    head, *rest = parts or [""]
+    text = f"{head}: {'; '.join(rest)}" if rest else head
+    return f"{text.rstrip('.')}." if text else ""
+
+
+def _day(moment: str) -> str:
+    """Return the day of an ISO 8601 moment; any other text as it is."""
+    day, t, _ = moment.partition("T")
+    return day if t and len(day) == 10 else moment
+
+
+def _sentences(value: Any) -> list[str]:
+    if not value:
+        return []
+    if isinstance(value, list | tuple):
+        return [shown(item) for item in value]
+    return [shown(value)]
+
+
+def _number(proof: Mapping[str, Any], name: str) -> float | None:
+    value = proof.get(name)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return float(value) if math.isfinite(value) else None
+
+
+def _method(plan: JointPlan) -> str:
+    asked = f" (asked: {plan.asked})" if plan.asked and plan.asked != plan.case else ""
+    method = METHODS.get(plan.method, plan.method)
+    return f"case {plan.case}{asked}, least cost of the {plan.objective}, {method}"
+
+
+def _parameters(params: Mapping[str, Any]) -> Iterator[str]:
+    for name, value in params.items():
+        if value is not None:
+            yield f"{name} = {_value(value)}"
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, list | tuple):
+        return ", ".join(_value(item) for item in value)
+    return shown(value)

@@ -1,0 +1,152 @@
+"""The day of a plan by the clock: when each vehicle drives each of its pieces, and when it waits.
+
+Only plans with a timetable have one; nothing here invents a time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ...network.road_network import RoadNetwork
+from ...planning.timing.schedule import late_by
+from ...plans.clock import Clock, duration
+from ...plans.events import Event
+from ...plans.records import JointPlan, VehiclePlan
+from ...plans.stretches import PlatoonSection
+from ...plans.timetable import VehicleTimes
+
+__all__ = ["MENTIONED_S", "event_time", "timeline", "vehicle_day", "waits_at"]
+
+MENTIONED_S = 30.0
+"""A wait shorter than this is 0 min on every page, and not mentioned."""
+
+
+def timeline(plan: JointPlan) -> dict[str, Any] | None:
+    """Return what holds for the whole day; None if the plan has no times."""
+    table = plan.timetable
+    if table is None:
+        return None
+    clock = table.clock
+    begin = min(times.departure_s for times in table.vehicles)
+    end = max(times.arrival_s for times in table.vehicles)
+    return {
+        "start": table.start,
+        "zone": clock.zone,
+        "since_midnight_s": round(clock.since_midnight_s, 1),
+        "begin_s": round(begin, 1),
+        "end_s": round(end, 1),
+        "waiting_s": round(table.waiting_s, 1),
+        "feasible": table.feasible,
+        "text": {
+            "day": clock.moment(begin).strftime("%Y-%m-%d"),
+            "waiting": duration(table.waiting_s),
+        },
+    }
+
+
+def vehicle_day(
+    plan: JointPlan, index: int, net: RoadNetwork, sections: Sequence[PlatoonSection]
+) -> dict[str, Any] | None:
+    """Return one vehicle's times; None if the plan has none."""
+    table = plan.timetable
+    if table is None:
+        return None
+    times = table.vehicles[index]
+    asked = (times.earliest_departure_s, times.latest_departure_s, times.latest_arrival_s)
+    earliest, latest, arrival = (None if at is None else round(at, 1) for at in asked)
+    spans = _spans(plan.vehicles[index], index, times, net, sections)
+    return {
+        "departure_s": round(times.departure_s, 1),
+        "arrival_s": round(times.arrival_s, 1),
+        "earliest_departure_s": earliest,
+        "latest_departure_s": latest,
+        "latest_arrival_s": arrival,
+        "waiting_s": round(times.waiting_s, 1),
+        "held_s": round(times.held_s, 1),
+        "late_s": round(times.late_s, 1),
+        # A tenth of a second is 2 m of road.
+        "spans": [[round(begin, 1), round(end, 1)] for begin, end in spans],
+        "text": _texts(times, table.clock),
+    }
+
+
+def _texts(times: VehicleTimes, clock: Clock) -> dict[str, str]:
+    earliest, latest = times.earliest_departure_s, times.latest_arrival_s
+    return {
+        "departure": clock.text(times.departure_s),
+        "arrival": clock.text(times.arrival_s),
+        "earliest": "" if earliest is None else clock.text(earliest),
+        "latest": "" if latest is None else clock.text(latest),
+        "waiting": duration(times.waiting_s),
+        "held": duration(times.held_s) if times.held_s >= MENTIONED_S else "",
+        "late": late_by(times.late_s) if times.late_s else "",
+    }
+
+
+def _spans(
+    vehicle: VehiclePlan, index: int, times: VehicleTimes, net: RoadNetwork,
+    sections: Sequence[PlatoonSection],
+) -> list[tuple[float, float]]:  # fmt: skip
+    """Return when each piece of `ways` begins and ends."""
+    section_of = {
+        edge: number
+        for number, section in enumerate(sections)
+        if index in section.vehicles
+        for edge in section.edges
+    }
+    found: list[tuple[float, float]] = []
+    for leg, (begin, end) in zip(vehicle.legs, times.legs, strict=True):
+        if not leg.edges:
+            continue
+        if leg.role != "platoon":
+            found.append((begin, end))
+            continue
+        edges = np.asarray(leg.edges, np.int64)
+        seconds = net.length_m[edges] / net.speed_mps[edges]
+        reached = np.concatenate([[0.0], np.cumsum(seconds)])
+        # A plan may drive at other speeds than the network's; shares of the time are alike.
+        share = reached / (reached[-1] or 1.0)
+        at = begin + (end - begin) * share
+        at[-1] = end
+        piece = -1
+        for k, edge in enumerate(leg.edges):
+            own = section_of.get(edge, -1)
+            if own >= 0 and own == piece:
+                found[-1] = (found[-1][0], float(at[k + 1]))
+            elif own >= 0:
+                found.append((float(at[k]), float(at[k + 1])))
+            piece = own
+    return found
+
+
+def event_time(plan: JointPlan, event: Event) -> float | None:
+    """Return when vehicles join or leave [s]; None if the plan has no times."""
+    if plan.timetable is None:
+        return None
+    mover = event.movers[0]
+    places = _platoon_legs(plan.vehicles[mover])
+    if not places:
+        return None
+    legs = plan.timetable.vehicles[mover].legs
+    return legs[places[0]][0] if event.kind == "merge" else legs[places[-1]][1]
+
+
+def waits_at(plan: JointPlan, event: Event) -> list[tuple[int, float]]:
+    """Return who waits for whom to join, and how long [s]: those who are not worth telling not."""
+    at = event_time(plan, event)
+    if plan.timetable is None or at is None or event.kind != "merge":
+        return []
+    found: list[tuple[int, float]] = []
+    for index in sorted((*event.movers, *event.others)):
+        times = plan.timetable.vehicles[index]
+        for (begin, _), wait in zip(times.legs, times.waits, strict=True):
+            if wait >= MENTIONED_S and abs(begin - at) < 1:
+                found.append((index, wait))
+    return found
+
+
+def _platoon_legs(vehicle: VehiclePlan) -> list[int]:
+    return [number for number, leg in enumerate(vehicle.legs) if leg.role == "platoon"]

@@ -1,0 +1,1 @@
+"""Maps: lines, places, marks and texts, and how vehicles are told apart."""

@@ -1,0 +1,169 @@
+"""Routes for other programs: a GPX file per vehicle, and the legs as CSV."""
+
+from __future__ import annotations
+
+import csv
+import os
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Iterator
+from datetime import UTC
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...atomic_file import whole_file
+from ...network.road_network import RoadNetwork
+from ...plans.records import JointPlan, PlatoonPoint, Stop, VehiclePlan
+from ...plans.timetable import VehicleTimes
+from ..document.document import check_plan
+from ..document.provenance import credits
+from ..drawing.vehicle_styles import vehicle_styles
+from ..markup.quantities import kilometres
+from ..markup.shown_text import shown
+from .gis import leg_table
+
+__all__ = ["write_csv", "write_gpx"]
+
+GPX = "http://www.topografix.com/GPX/1/1"
+
+TIMES_LEFT_OUT = "times left out: those of the plan name no time zone, and GPX wants UTC"
+
+FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
+"""Full-width ones count in some spreadsheets."""
+
+
+def write_gpx(plan: JointPlan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
+    """Write a GPX file for each vehicle into a folder that exists; return their paths.
+
+    Each holds the start, the merge, the separation and the destination as waypoints, and the
+    joint route as one track with a segment for each leg. Times are in UTC, as GPX wants them, so
+    they are there if those of the plan have a zone; else a line of the description says that they
+    are left out. Files are named by the letters of the report: `vehicle-A.gpx`.
+
+    Raises
+    ------
+    ScenarioError
+        A plan of another network, or a folder that cannot be written to.
+    """
+    check_plan(plan, net)
+    ElementTree.register_namespace("", GPX)
+    styles = vehicle_styles([vehicle.vehicle for vehicle in plan.vehicles])
+    written: list[Path] = []
+    for vehicle, style, times in zip(plan.vehicles, styles, plan.times, strict=True):
+        path = Path(folder) / f"vehicle-{style.letter}.gpx"
+        tree = ElementTree.ElementTree(_gpx(plan, net, vehicle, times))
+        ElementTree.indent(tree, "")
+        with whole_file(path, suffix=".gpx") as draft:
+            tree.write(draft, encoding="utf-8", xml_declaration=True)
+        written.append(path)
+    return written
+
+
+def _gpx(
+    plan: JointPlan, net: RoadNetwork, vehicle: VehiclePlan, times: VehicleTimes | None
+) -> ElementTree.Element:
+    stamp = _stamp(plan)
+    root = ElementTree.Element(
+        f"{{{GPX}}}gpx", version="1.1", creator=f"platoon_osm {shown(plan.version)}".strip()
+    )
+    about = _child(root, "metadata")
+    _child(about, "name", f"{shown(vehicle.vehicle)}: {_ends(vehicle)}")
+    left_out = [TIMES_LEFT_OUT] if times is not None and stamp is None else []
+    _child(about, "desc", " \u00b7 ".join([*credits(plan, net), *left_out]))
+    for kind, place, moment in _waypoints(vehicle, times):
+        point = _child(root, "wpt", lat=_degrees(place.lat), lon=_degrees(place.lon))
+        if stamp and moment is not None:
+            _child(point, "time", stamp(moment))
+        _child(point, "name", f"{kind}: {shown(place.name)}")
+        _child(point, "type", kind.lower())
+    track = _child(root, "trk")
+    _child(track, "name", f"{shown(vehicle.vehicle)}: {_ends(vehicle)}")
+    _child(track, "desc", "; ".join(
+        f"{kilometres(leg.length_m)} {'in platoon' if leg.role == 'platoon' else 'alone'}"
+        for leg in vehicle.legs
+    ))  # fmt: skip
+    for number, leg in enumerate(vehicle.legs):
+        if leg.edges:
+            segment = _child(track, "trkseg")
+            shape = net.path_shape(leg.edges)
+            moments = None if times is None else _along(shape, *times.legs[number])
+            for k, (lon, lat) in enumerate(shape):
+                point = _child(segment, "trkpt", lat=_degrees(lat), lon=_degrees(lon))
+                if stamp and moments is not None:
+                    _child(point, "time", stamp(float(moments[k])))
+    return root
+
+
+def _stamp(plan: JointPlan) -> Callable[[float], str] | None:
+    """Return what writes a moment [s] in UTC; None if the plan has no times or no zone."""
+    if plan.timetable is None or plan.timetable.clock.start.utcoffset() is None:
+        return None
+    clock = plan.timetable.clock
+    return lambda at: f"{clock.moment(round(at)).astimezone(UTC):%Y-%m-%dT%H:%M:%S}Z"
+
+
+def _waypoints(
+    vehicle: VehiclePlan, times: VehicleTimes | None
+) -> Iterator[tuple[str, Stop | PlatoonPoint, float | None]]:
+    """Yield kind, place and moment [s] of what a driver looks for on the way."""
+    together = [k for k, leg in enumerate(vehicle.legs) if leg.role == "platoon"]
+    yield "Start", vehicle.origin, times.departure_s if times else None
+    if vehicle.merge is not None:
+        yield "Merge", vehicle.merge, times.legs[together[0]][0] if times and together else None
+    if vehicle.separation is not None:
+        leaves = times.legs[together[-1]][1] if times and together else None
+        yield "Separation", vehicle.separation, leaves
+    yield "Destination", vehicle.destination, times.arrival_s if times else None
+
+
+def _along(shape: NDArray[np.float64], begin: float, end: float) -> NDArray[np.float64]:
+    """Return a moment for each point of a leg's line, in proportion to the distance [s]."""
+    step = np.diff(shape, axis=0)
+    step[:, 0] *= np.cos(np.radians(shape[:-1, 1]))
+    reached = np.concatenate([[0.0], np.cumsum(np.hypot(step[:, 0], step[:, 1]))])
+    return begin + (end - begin) * reached / (reached[-1] or 1.0)
+
+
+def _ends(vehicle: VehiclePlan) -> str:
+    return f"{shown(vehicle.origin.name)} \u2013 {shown(vehicle.destination.name)}"
+
+
+def _degrees(value: float) -> str:
+    return f"{float(value):.6f}"
+
+
+def _child(
+    parent: ElementTree.Element, name: str, text: str | None = None, **attributes: str
+) -> ElementTree.Element:
+    made = ElementTree.SubElement(parent, f"{{{GPX}}}{name}", attributes)
+    made.text = text
+    return made
+
+
+def write_csv(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
+    """Write the legs of a plan as CSV in UTF-8, with the columns of `to_geodataframe`.
+
+    A text that a spreadsheet would run as a formula gets an apostrophe in front of it.
+
+    Raises
+    ------
+    ScenarioError
+        A plan of another network, or a file that cannot be written.
+    """
+    columns, _ = leg_table(plan, net)
+    with (
+        whole_file(path, suffix=".csv") as draft,
+        draft.open("w", encoding="utf-8", newline="") as handle,
+    ):
+        writer = csv.writer(handle, lineterminator="\n")
+        writer.writerow(columns)
+        for row in zip(*columns.values(), strict=True):
+            writer.writerow([_cell(value) for value in row])
+
+
+def _cell(value: Any) -> Any:
+    if isinstance(value, str) and value.startswith(FORMULA_SIGNS):
+        return f"'{value}"
+    return f"{value:.6g}" if isinstance(value, float) else value

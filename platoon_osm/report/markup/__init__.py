@@ -1,0 +1,1 @@
+"""Where text meets markup: fragments, figures and names as people read them."""

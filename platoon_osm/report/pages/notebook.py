@@ -1,0 +1,43 @@
+"""What a notebook shows of a plan by itself: its table."""
+
+from __future__ import annotations
+
+from ...plans.records import JointPlan
+from ..document.document import ROLES
+from ..markup.fragments import fill, join
+from ..markup.quantities import cost_unit, kilometres, percent, signed
+from ..markup.shown_text import fitted
+
+__all__ = ["plan_table"]
+
+
+def plan_table(plan: JointPlan) -> str:
+    """Return a plan's vehicles and what each saves, as an HTML table without script or style."""
+    unit = cost_unit(plan.unit)
+    rows = [
+        fill(
+            "notebook-row",
+            vehicle=fitted(vehicle.vehicle),
+            origin=fitted(vehicle.origin.name),
+            destination=fitted(vehicle.destination.name),
+            role=ROLES.get(vehicle.role, fitted(vehicle.role)),
+            length=kilometres(vehicle.length_m),
+            platoon=kilometres(vehicle.platoon_m),
+            alone=unit.bare(vehicle.solo_cost),
+            joint=unit.bare(vehicle.joint_cost),
+            share=signed(percent(vehicle.saving)),
+        )
+        for vehicle in plan.vehicles
+    ]
+    return fill(
+        "notebook-table",
+        case=fitted(plan.case),
+        network=fitted(plan.network.name),
+        unit=unit.label,
+        rows=join(rows),
+        length=kilometres(sum(vehicle.length_m for vehicle in plan.vehicles)),
+        platoon=kilometres(plan.platoon_m),
+        alone=unit.bare(plan.solo_cost),
+        joint=unit.bare(plan.joint_cost),
+        share=signed(percent(plan.saving)),
+    )

@@ -1,0 +1,1 @@
+"""Least costs and paths: two engines behind one protocol, and where vehicles best join a route."""

@@ -1,0 +1,184 @@
+"""Where two vehicles drive together: a search that goes towards both destinations.
+
+Every vehicle could also drive alone what they drive together, and if two together pay at least
+2 f times what one pays alone on any road (f <= 1), a shared stretch through a node z costs both
+at least f (u1 + u2 + v1 + v2)(z), with u the costs alone from the origins and v those to the
+destinations. Driving alone costs S. So only nodes where this is at most S matter, most often few,
+and f (v1 + v2) is a lower bound of what is left to pay: a search ordered by label plus bound meets
+the best stretch before it has seen much else, and needs no hierarchy for the pair's weight.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....network.road_network import RoadNetwork
+from ...dijkstra import no_route
+from ..runtime.jit import compiled
+from ..runtime.lent import lent
+
+__all__ = ["SharedStretch", "shared_stretch"]
+
+Ints = NDArray[np.int32]
+Longs = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+FEW = 8
+"""With at most one node in so many the search is shorter than customization and two sweeps."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SharedStretch:
+    """Least costs of both vehicles up to where they may part.
+
+    Attributes
+    ----------
+    dist : (n,) cost of both, having driven together up to the node or met there; inf where no plan
+        within the limit would part or pass.
+    edge : (n,) edge by which the shared stretch enters the node, -1 if it begins there; only where
+        `dist` is finite.
+    """
+
+    net: RoadNetwork
+    dist: Floats
+    edge: Ints
+
+    def path(self, node: int) -> Longs:
+        """Return the edges of the best shared stretch to a node, in driving order.
+
+        Raises
+        ------
+        NoRouteError
+            If there is none within the limit.
+        """
+        if not np.isfinite(self.dist[node]):
+            raise no_route(self.net, node, True)
+        edges = []
+        while (edge := int(self.edge[node])) >= 0:
+            edges.append(edge)
+            node = int(self.net.tail[edge])
+        return np.array(edges[::-1], np.int64)
+
+
+def shared_stretch(
+    net: RoadNetwork,
+    solo: Floats,
+    pair: Floats,
+    there: Sequence[Floats],
+    onward: Sequence[Floats],
+    limit: float,
+    slack: float,
+) -> SharedStretch | None:
+    """Return the least costs of shared stretches; None if too many nodes matter.
+
+    Parameters
+    ----------
+    solo, pair : (m,) cost of each edge for one vehicle alone, and for both together.
+    there, onward : two arrays (n,) each: costs alone from the origins, and to the destinations.
+    limit : costs of both above which no plan is of interest.
+    slack : plans that cost so much more than the best are found too.
+    """
+    share = _least_share(solo, pair)
+    if share <= 0:
+        return None
+    found, edge = lent(net.n), np.empty(net.n, np.int32)
+    most = max(net.n // FEW, 64)
+    (u1, u2), (v1, v2) = there, onward
+    done = _search(
+        u1, u2, v1, v2, share, limit, slack, net.first_out, net.head, pair, most, found, edge
+    )
+    return SharedStretch(net, found, edge) if done else None
+
+
+@compiled
+def _least_share(solo: Floats, pair: Floats) -> float:
+    """Return the least of pair / (2 solo) over all open edges, at most 1."""
+    least = 1.0
+    for e in range(len(pair)):
+        if pair[e] < 2.0 * least * solo[e]:
+            least = pair[e] / (2.0 * solo[e])
+    return least
+
+
+@compiled
+def _search(
+    u1: Floats, u2: Floats, v1: Floats, v2: Floats, share: float, limit: float, slack: float,
+    first_out: Ints, head: Ints, weight: Floats, most: int, found: Floats, edge: Ints,
+) -> bool:  # fmt: skip
+    """Fill `found` and `edge`; return whether that took no more than `most` nodes."""
+    keys, nodes = np.empty(2 * most), np.empty(2 * most, np.int32)
+    size = 0
+    for x in range(len(found)):
+        found[x] = np.inf
+        label = u1[x] + u2[x]
+        key = label + share * (v1[x] + v2[x])
+        if key <= limit:
+            if size == most:
+                return False
+            found[x], edge[x] = label, -1
+            keys[size], nodes[size] = key, x
+            size += 1
+    for k in range(size // 2 - 1, -1, -1):
+        _sink(keys, nodes, k, size)
+    settled = np.zeros(len(found), np.bool_)
+    count, bound = 0, limit
+    while size:
+        key, x = keys[0], nodes[0]
+        if key > bound:
+            break
+        size -= 1
+        keys[0], nodes[0] = keys[size], nodes[size]
+        _sink(keys, nodes, 0, size)
+        label, rest = found[x], v1[x] + v2[x]
+        if key != label + share * rest:
+            continue  # found a better way since
+        if not settled[x]:
+            settled[x] = True
+            count += 1
+            if count > most:
+                return False
+        bound = min(bound, label + rest + slack)
+        for e in range(first_out[x], first_out[x + 1]):
+            h, new = head[e], label + weight[e]
+            if new < found[h]:
+                key = new + share * (v1[h] + v2[h])
+                if key <= bound:
+                    found[h], edge[h] = new, e
+                    if size == len(keys):
+                        keys = np.concatenate((keys, np.empty_like(keys)))
+                        nodes = np.concatenate((nodes, np.empty_like(nodes)))
+                    _rise(keys, nodes, size, key, h)
+                    size += 1
+    # What was not settled may still have a better way.
+    for k in range(size):
+        if not settled[nodes[k]]:
+            found[nodes[k]] = np.inf
+    return True
+
+
+@compiled
+def _sink(keys: Floats, nodes: Ints, k: int, size: int) -> None:
+    """Move an entry of a heap down to where neither child is less."""
+    key, node = keys[k], nodes[k]
+    while 2 * k + 1 < size:
+        child = 2 * k + 1
+        if child + 1 < size and keys[child + 1] < keys[child]:
+            child += 1
+        if keys[child] >= key:
+            break
+        keys[k], nodes[k] = keys[child], nodes[child]
+        k = child
+    keys[k], nodes[k] = key, node
+
+
+@compiled
+def _rise(keys: Floats, nodes: Ints, k: int, key: float, node: int) -> None:
+    """Put an entry into place k of a heap and move it up to where its parent is not more."""
+    while k > 0 and keys[(k - 1) // 2] > key:
+        keys[k], nodes[k] = keys[(k - 1) // 2], nodes[(k - 1) // 2]
+        k = (k - 1) // 2
+    keys[k], nodes[k] = key, node

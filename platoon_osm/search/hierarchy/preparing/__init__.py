@@ -1,0 +1,1 @@
+"""What depends on the network alone: its order, arcs and triangles, and where they are stored."""

@@ -1,0 +1,235 @@
+"""Symbolic contraction: which arcs a hierarchy needs under any weight.
+
+Contracting a node joins all its later neighbours. The arcs that arise depend on the order alone,
+so this is done once a network. Ranks are then given anew as sweeps like them (`ranks`).
+
+References
+----------
+.. [1] Dibbelt, Strasser, Wagner, "Customizable contraction hierarchies", JEA 21 (2016), sections
+   4 and 5.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime.jit import compiled
+from .order import contraction_order, neighbours
+from .ranks import block_rows, runs, sweep_ranks
+
+__all__ = ["Topology", "build_topology"]
+
+Ints = NDArray[np.int32]
+Floats = NDArray[np.float64]
+Longs = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Topology:
+    """The hierarchy without weights: n nodes by rank, a arcs from lower to higher rank.
+
+    Attributes
+    ----------
+    node : (n,) the network's node of each rank.
+    rank : (n,) the rank of each of the network's nodes.
+    first : (n + 1,) where the arcs of each rank begin.
+    head : (a,) rank of the upper end; ascending within each node's arcs.
+    upper : (a,) the network's node at the upper end.
+    run : (r + 1,) ranks where the class of nodes changes, by number of arcs, and n.
+    block : (b + 1,) ranks where the blocks begin, and n.
+    local : (a,) row of the upper end in the buffer of the block: nodes of the block by rank, then
+        those above it that its root has arcs to.
+    parent : (n,) rank of the lowest upper neighbour; -1 for roots.
+    triangle : (t,) for each node, for each pair i < j of its arcs, the arc between their heads.
+    triangle_first : (n + 1,) where the triangles of each rank begin.
+    forth, back : (a,) the edge up each arc, and that down; m, which is no edge, if there is none.
+    spare, spare_place : (k,) edges parallel to those, and where each belongs: 2 * arc, plus 1 if
+        it leads down; ascending by place.
+    below_first, below : (n + 1,), (a,) the arcs that end at each rank, from the lowest tail up.
+    subtree : (s + 1,) ranks where the subtrees for threads begin; the last is where the top
+        begins.
+    """
+
+    node: Ints
+    rank: Ints
+    first: Ints
+    head: Ints
+    upper: Ints
+    run: Ints
+    block: Ints
+    local: Ints
+    parent: Ints
+    triangle: Ints
+    triangle_first: Longs
+    forth: Ints
+    back: Ints
+    spare: Ints
+    spare_place: Ints
+    below_first: Ints
+    below: Ints
+    subtree: Ints
+
+    @property
+    def n(self) -> int:
+        """Number of nodes."""
+        return len(self.node)
+
+    @property
+    def top(self) -> int:
+        """First rank above all subtrees."""
+        return int(self.subtree[-1])
+
+    def parts(self) -> list[tuple[int, int]]:
+        """Return the ranks of each subtree, the one with most arcs first."""
+        pairs = list(zip(self.subtree[:-1].tolist(), self.subtree[1:].tolist(), strict=True))
+        return sorted(pairs, key=lambda pair: int(self.first[pair[0]] - self.first[pair[1]]))
+
+
+def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: int = 1) -> Topology:
+    """Order and contract a network.
+
+    Parameters
+    ----------
+    tail, head : (m,) ends of its edges.
+    lon, lat : (n,) degrees.
+    """
+    n = len(lon)
+    near_first, near = neighbours(n, tail, head)
+    order = contraction_order(near_first, near, lon, lat, threads)
+    rank = np.empty(n, np.int32)
+    rank[order] = np.arange(n, dtype=np.int32)
+    first, up, parent = _contract(near_first, near, order, rank)
+    found = sweep_ranks(first, up, parent)
+    node = order[found.old]
+    rank[node] = np.arange(n, dtype=np.int32)
+    first, up, parent = found.first, found.head, found.parent
+    triangle, triangle_first = _triangles(first, up)
+    place = _places(rank[tail], rank[head], first, up)
+    forth, back, spare = _edges_of_arcs(place, len(up))
+    spare = spare[np.argsort(place[spare], kind="stable")]
+    below_first, below = _below(first, up)
+    return Topology(
+        node, rank, first, up, node[up], runs(first), found.block,
+        block_rows(first, up, found.block), parent, triangle, triangle_first, forth, back, spare,
+        place[spare], below_first, below, found.subtree,
+    )  # fmt: skip
+
+
+@compiled
+def _contract(near_first: Ints, near: Ints, order: Ints, rank: Ints) -> tuple[Ints, Ints, Ints]:
+    n = len(order)
+    first = np.zeros(n + 1, np.int32)
+    parent = np.full(n, -1, np.int32)
+    # Children form linked lists; a node's later neighbours are its own and its children's.
+    child, sibling = np.full(n, -1, np.int32), np.full(n, -1, np.int32)
+    seen = np.full(n, -1, np.int32)
+    up = np.empty(2 * len(near) + 16, np.int32)
+    count = 0
+    for v in range(n):
+        seen[v] = v
+        if count + n - v > len(up):
+            larger = np.empty(2 * len(up) + n, np.int32)
+            larger[:count] = up[:count]
+            up = larger
+        least = n
+        x = order[v]
+        for slot in range(near_first[x], near_first[x + 1]):
+            u = rank[near[slot]]
+            if u > v and seen[u] != v:
+                seen[u] = v
+                up[count] = u
+                count += 1
+                least = min(least, u)
+        c = child[v]
+        while c >= 0:
+            for a in range(first[c], first[c + 1]):
+                u = up[a]
+                if seen[u] != v:
+                    seen[u] = v
+                    up[count] = u
+                    count += 1
+                    least = min(least, u)
+            c = sibling[c]
+        first[v + 1] = count
+        if least < n:
+            parent[v] = least
+            sibling[v] = child[least]
+            child[least] = v
+    return first, up[:count].copy(), parent
+
+
+@compiled
+def _triangles(first: Ints, up: Ints) -> tuple[Ints, Longs]:
+    n = len(first) - 1
+    begin = np.zeros(n + 1, np.int64)
+    for v in range(n):
+        k = first[v + 1] - first[v]
+        begin[v + 1] = begin[v] + k * (k - 1) // 2
+    found = np.empty(begin[n], np.int32)
+    t = 0
+    for v in range(n):
+        last = first[v + 1]
+        for i in range(first[v], last):
+            # The later neighbours of v are all neighbours of the i-th: one merge finds them.
+            a = first[up[i]]
+            for j in range(i + 1, last):
+                while up[a] != up[j]:
+                    a += 1
+                found[t] = a
+                t += 1
+    return found, begin
+
+
+@compiled
+def _below(first: Ints, up: Ints) -> tuple[Ints, Ints]:
+    n = len(first) - 1
+    begin, below = np.zeros(n + 1, np.int32), np.empty(len(up), np.int32)
+    for a in range(len(up)):
+        begin[up[a] + 1] += 1
+    for v in range(n):
+        begin[v + 1] += begin[v]
+    at = begin[:-1].copy()
+    for a in range(len(up)):
+        below[at[up[a]]] = a
+        at[up[a]] += 1
+    return begin, below
+
+
+@compiled
+def _places(tail: Ints, head: Ints, first: Ints, up: Ints) -> Ints:
+    place = np.empty(len(tail), np.int32)
+    for e in range(len(tail)):
+        low, high = min(tail[e], head[e]), max(tail[e], head[e])
+        if low == high:
+            place[e] = -1
+            continue
+        a, b = first[low], first[low + 1] - 1
+        while a < b:
+            middle = (a + b) // 2
+            if up[middle] < high:
+                a = middle + 1
+            else:
+                b = middle
+        place[e] = 2 * a + (tail[e] > head[e])
+    return place
+
+
+@compiled
+def _edges_of_arcs(place: Ints, arcs: int) -> tuple[Ints, Ints, Ints]:
+    none = np.int32(len(place))
+    forth, back = np.full(arcs, none), np.full(arcs, none)
+    spare = np.empty(len(place), np.int32)
+    count = 0
+    for e in range(len(place)):
+        if place[e] < 0:
+            continue
+        of_arc = back if place[e] & 1 else forth
+        if of_arc[place[e] >> 1] == none:
+            of_arc[place[e] >> 1] = e
+        else:
+            spare[count] = e
+            count += 1
+    return forth, back, spare[:count].copy()

@@ -1,0 +1,1 @@
+"""What the kernels run on: compiled code, threads, lent memory, stores past the caches."""

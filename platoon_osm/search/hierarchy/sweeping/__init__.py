@@ -1,0 +1,1 @@
+"""Downward sweeps from one, two and many sources."""

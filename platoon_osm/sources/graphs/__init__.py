@@ -1,0 +1,1 @@
+"""Networks from and to graphs: networkx, OSMnx, GeoPandas, freight graphs."""

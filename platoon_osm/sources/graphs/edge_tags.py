@@ -1,0 +1,74 @@
+"""One value for each tag of an OSMnx edge, which after simplification may have several."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ...network.road_network import ROAD_CLASSES
+from ..road_choice import RoadChoice
+from ..truck import NO, is_driving_tag, read_speed_kmh
+from .graph_arrays import Attributes
+from .graph_values import flag, parts
+
+__all__ = ["class_code", "edge_class", "truck_tags"]
+
+ACCESS_KEYS = ("hgv", "motor_vehicle", "vehicle", "access")
+TOLL_KEYS = ("toll:hgv", "toll:N3", "toll")
+
+
+def class_code(highway: str) -> int:
+    """Return the position of a class in `ROAD_CLASSES`; anything unknown is "other"."""
+    return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
+
+
+def edge_class(attributes: Attributes, choice: RoadChoice) -> str:
+    """Return the most important wanted class of an edge, else its most important one."""
+    values = [str(value) for value in parts(attributes.get("highway"))]
+    wanted = [kind for kind in values if kind in choice.classes]
+    if wanted and len(values) > 1:
+        choice.counts["edges of several classes, the most important taken"] += 1
+    return min(wanted or values, key=class_code, default="")
+
+
+def truck_tags(attributes: Attributes, highway: str, choice: RoadChoice) -> Mapping[str, str]:
+    """Return one value for each tag that matters to a truck, out of an edge's attributes."""
+    tags = {"highway": highway}
+    for key, value in attributes.items():
+        if not is_driving_tag(key) or key in {"highway", "oneway", "junction"}:
+            continue
+        values = [text for text in map(_tag_text, parts(value)) if text]
+        if values:
+            tags[key] = _one_value(key, values, choice)
+    two_way = bool(parts(attributes.get("oneway"))) and not flag(attributes.get("oneway"))
+    # The graph has settled the direction; a backward edge only picks its side's speed limit.
+    backwards = parts(attributes.get("reversed"))
+    against = bool(backwards) and all(flag(part) for part in backwards)
+    tags["oneway"] = "-1" if against else "yes"
+    if two_way and highway in {"motorway", "motorway_link"}:
+        choice.counts["motorway edges in both directions, as OSMnx has them"] += 1
+    return tags
+
+
+def _tag_text(value: Any) -> str:
+    """Return a value as OpenStreetMap writes it; a table's or GraphML's way of "missing" as ""."""
+    text = str(value)
+    if text in {"True", "False"}:
+        return "yes" if text == "True" else "no"
+    return "" if text in {"nan", "None", "<NA>"} else text
+
+
+def _one_value(key: str, values: list[str], choice: RoadChoice) -> str:
+    if len(values) == 1:
+        return values[0]
+    if key in ACCESS_KEYS:
+        choice.counts["edges with several access tags, the strictest taken"] += 1
+        return next((text for text in values if text.strip().lower() in NO), values[0])
+    if key in TOLL_KEYS:
+        choice.counts["edges with toll on a part, taken for the whole"] += 1
+        return next((text for text in values if text not in NO), values[0])
+    if key.startswith("maxspeed") and not key.endswith(":conditional"):
+        choice.counts["edges with several speed limits, the lowest taken"] += 1
+        known = [text for text in values if read_speed_kmh(text) is not None]
+        return min(known or values, key=lambda text: read_speed_kmh(text) or 0.0)
+    return ";".join(values)

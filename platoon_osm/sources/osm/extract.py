@@ -1,0 +1,263 @@
+"""From the ways of an OSM file to a contracted road network for trucks."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import MapDataError, NetworkError
+from ...network.load_report import LoadReport
+from ...network.preparing.simplify import merge_chains
+from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
+from ...network.texts import encode_texts
+from ..truck import BACKWARD, FORWARD, TruckRules, WayReading, is_driving_tag, read_way
+from .raw_osm import RawMap, TagReader, read_raw
+
+__all__ = ["MOTORWAY_CLASSES", "read_osm"]
+
+MOTORWAY_CLASSES = ("motorway", "motorway_link")
+NAME_TAGS = frozenset({"ref", "name", "destination"})
+PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population"})
+NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0)
+
+
+def read_osm(
+    path: str | os.PathLike[str],
+    classes: Sequence[str] = MOTORWAY_CLASSES,
+    rules: TruckRules | None = None,
+) -> RoadNetwork:
+    """Read an OSM extract (.osm.pbf, .osm, .osm.gz, .osm.bz2) into a contracted network.
+
+    Parameters
+    ----------
+    classes : values of the `highway` tag to load.
+    rules : how to read tags for a truck.
+
+    Raises
+    ------
+    MapDataError
+        Unreadable file, or no road of these classes in it.
+    """
+    file = Path(path)
+    raw = read_raw(file, classes)
+    ways = _interpret(raw, set(classes), rules or TruckRules())
+    if not ways.kept.any():
+        found = "its ways are closed to trucks" if ways.road.any() else "it has no such way"
+        raise MapDataError(
+            f"{file}: no road of class {', '.join(classes)} for trucks ({found}); "
+            "load other classes or another area"
+        )
+    net = _network(file, raw, ways)
+    count = net.load_report.counts
+    if not net.m:
+        first = raw.way_id[np.argmax(ways.kept)]
+        raise MapDataError(
+            f"{file}: none of {count['ways kept']} ways (first: way {first}) has two nodes with "
+            "coordinates; extract the area again with complete ways, nodes before ways"
+        )
+    return net
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Ways:
+    """What the tags of each way mean, (w,) each; `ref` and `name` are codes in `texts`.
+
+    A way that is no road of the wanted classes, such as a service area, is not `road`.
+    """
+
+    road: NDArray[np.bool_]
+    kept: NDArray[np.bool_]
+    direction: NDArray[np.int8]
+    speed_mps: NDArray[np.float64]
+    backward_mps: NDArray[np.float64]
+    road_class: NDArray[np.uint8]
+    toll: NDArray[np.bool_]
+    ref: NDArray[np.int64]
+    name: NDArray[np.int64]
+    texts: tuple[str, ...]
+    counts: dict[str, int]
+
+
+def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
+    """Read each distinct set of tags once, and count what had to be assumed by ways.
+
+    Ways share tags, tags share readings and names: each level is a table, and ways are looked up
+    in it by number, for that is what keeps loading near the speed of the file itself.
+    """
+    read_tags = TagReader(lambda key: key in NAME_TAGS or is_driving_tag(key))
+    readings: list[WayReading] = [NOT_A_ROAD]
+    known: dict[tuple[tuple[str, str], ...], int] = {}
+    names: dict[str, int] = {"": 0}
+    sets: dict[str, int] = {}
+    way_set = np.fromiter(
+        (sets.setdefault(text, len(sets)) for text in raw.way_tags), np.int64, len(raw.way_tags)
+    )
+    rows = np.zeros((len(sets), 4), np.int64)
+    for number, text in enumerate(sets):
+        tags = read_tags(text)
+        ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
+        name = tags.pop("name", destination)
+        highway = tags.get("highway", "")
+        if highway not in classes:
+            continue
+        key = tuple(tags.items())
+        reading = known.get(key)
+        if reading is None:
+            reading = known[key] = len(readings)
+            readings.append(read_way(tags, rules))
+        rows[number] = (
+            reading, _class_code(highway),
+            names.setdefault(ref, len(names)), names.setdefault(name, len(names)),
+        )  # fmt: skip
+    reading_of, road_class, ref_of, name_of = rows[way_set].T
+
+    def looked_up(values: list[Any], dtype: type) -> NDArray[Any]:
+        by_way: NDArray[Any] = np.array(values, dtype)[reading_of]
+        return by_way
+
+    kept = looked_up([reading.allowed for reading in readings], bool)
+    return _Ways(
+        road=reading_of > 0,
+        kept=kept,
+        direction=looked_up([reading.direction for reading in readings], np.int8),
+        speed_mps=looked_up([reading.speed_kmh for reading in readings], np.float64) / 3.6,
+        backward_mps=looked_up([reading.backward_kmh for reading in readings], np.float64) / 3.6,
+        road_class=road_class.astype(np.uint8),
+        toll=looked_up([reading.toll for reading in readings], bool),
+        ref=ref_of,
+        name=name_of,
+        texts=tuple(names),
+        counts=_counts(readings, np.bincount(reading_of, minlength=len(readings)).tolist()),
+    )
+
+
+def _class_code(highway: str) -> int:
+    return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
+
+
+def _counts(readings: list[WayReading], ways: list[int]) -> dict[str, int]:
+    """Count by ways what was read, dropped and assumed."""
+    counts: Counter[str] = Counter()
+    kept = 0
+    for reading, number in zip(readings[1:], ways[1:], strict=True):
+        if not reading.allowed:
+            counts["ways dropped: closed to trucks"] += number
+            continue
+        kept += number
+        for remark in reading.remarks:
+            counts[remark] += number
+    first = {"ways of these classes": sum(ways[1:]), "ways kept": kept}
+    return first | dict(sorted(counts.items()))
+
+
+def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
+    counts = {**ways.counts, **raw.left_out}
+    way = np.repeat(np.arange(len(raw.way_id)), np.diff(raw.first))
+    present = ~np.isnan(raw.lon)
+    on_road = ways.kept[way]
+    counts["nodes missing from ways"] = int((on_road & ~present).sum())
+    counts["ways of fewer than two nodes"] = int((np.diff(raw.first)[ways.kept] < 2).sum())
+    # A segment joins two nodes that follow each other on a way and that the file both has.
+    start = np.flatnonzero(on_road[:-1] & (way[:-1] == way[1:]) & present[:-1] & present[1:])
+    repeated = raw.ref[start] == raw.ref[start + 1]
+    counts["repeated nodes skipped"] = int(repeated.sum())
+    start = start[~repeated]
+    counts = {name: number for name, number in counts.items() if number or name == "ways kept"}
+    ids, place, node = np.unique(
+        raw.ref[np.concatenate([start, start + 1])], return_index=True, return_inverse=True
+    )
+    at = np.concatenate([start, start + 1])[place]
+    tail, head = node[: len(start)], node[len(start) :]
+    of = way[start]
+    forward, backward = ways.direction[of] != BACKWARD, ways.direction[of] != FORWARD
+    tails = np.concatenate([tail[forward], head[backward]])
+    heads = np.concatenate([head[forward], tail[backward]])
+    source_way = np.concatenate([of[forward], of[backward]])
+    speed_mps = np.concatenate([ways.speed_mps[of[forward]], ways.backward_mps[of[backward]]])
+
+    junctions, points = _named_nodes(raw, ids, np.flatnonzero(~ways.road))
+    texts, codes = encode_texts(
+        ways.texts, [row[1] for row in junctions], [row[2] for row in junctions],
+        [row[3] for row in points],
+    )  # fmt: skip
+    position = [row[0] for row in junctions]
+    node_name, node_ref = np.zeros(len(ids), np.int32), np.zeros(len(ids), np.int32)
+    node_name[position], node_ref[position] = codes[1], codes[2]
+    keep = np.zeros(len(ids), bool)
+    keep[position] = [row[3] for row in junctions]
+    report = LoadReport(counts)
+    try:
+        net = RoadNetwork.from_edges(
+            tails, heads,
+            lon=raw.lon[at], lat=raw.lat[at], speed_mps=speed_mps,
+            node_id=ids, node_name=node_name, node_ref=node_ref,
+            road_class=ways.road_class[source_way], ref=codes[0][ways.ref[source_way]],
+            name=codes[0][ways.name[source_way]], toll=ways.toll[source_way],
+            way_id=raw.way_id[source_way], texts=texts, points=_points(points, codes[3]),
+            source=raw.source, report=report,
+        )  # fmt: skip
+    except NetworkError as error:
+        raise MapDataError(f"{file}: {error}") from error
+    merged = merge_chains(net, keep)
+    sizes = {
+        "nodes read": net.n, "directed segments read": net.m,
+        "nodes after contracting chains": merged.n, "edges after contracting chains": merged.m,
+        "named junctions": int((merged.node_name > 0).sum()),
+        "service and rest areas": int((merged.points.kind < POINT_KINDS.index("city")).sum()),
+    }  # fmt: skip
+    return merged.with_report(report.extended(sizes))
+
+
+def _named_nodes(
+    raw: RawMap, ids: NDArray[np.int64], areas: NDArray[np.int64]
+) -> tuple[list[tuple[int, str, str, bool]], list[tuple[float, float, int, str, int]]]:
+    """Sort tagged nodes into junctions on the roads, and places beside them.
+
+    `areas` are the ways that are no roads: service and rest areas.
+    """
+    junctions, points = [], []
+    read_tags = TagReader(PLACE_TAGS.__contains__)
+    wanted = np.array([row[0] for row in raw.nodes], np.int64)
+    position = np.searchsorted(ids, wanted)
+    for (node, text, lon, lat), at in zip(raw.nodes, position.tolist(), strict=True):
+        tags = read_tags(text)
+        name = tags.get("name", "")
+        kind = tags.get("highway") or tags.get("place") or ""
+        if kind in POINT_KINDS:
+            if np.isnan(lon):
+                continue
+            points.append((lon, lat, POINT_KINDS.index(kind), name, _whole(tags, "population")))
+        elif at < len(ids) and ids[at] == node:
+            is_junction = kind == "motorway_junction"
+            junctions.append((at, name, tags.get("ref", "") if is_junction else "", is_junction))
+    for way in areas.tolist():
+        tags = read_tags(raw.way_tags[way])
+        if tags.get("highway") not in POINT_KINDS:
+            continue
+        part = slice(raw.first[way], raw.first[way + 1])
+        if np.isfinite(raw.lon[part]).any():
+            centre = float(np.nanmean(raw.lon[part])), float(np.nanmean(raw.lat[part]))
+            code = POINT_KINDS.index(tags["highway"])
+            points.append((*centre, code, tags.get("name", ""), 0))
+    return junctions, points
+
+
+def _whole(tags: dict[str, str], key: str) -> int:
+    digits = tags.get(key, "").replace(" ", "").replace(".", "").replace(",", "")
+    return int(digits) if digits.isdecimal() and len(digits) < 12 else 0
+
+
+def _points(rows: list[tuple[float, float, int, str, int]], name: NDArray[np.int32]) -> NamedPoints:
+    if not rows:
+        return NamedPoints.empty()
+    lon, lat, kind, _, population = zip(*rows, strict=True)
+    return NamedPoints(
+        np.array(lon), np.array(lat), np.array(kind, np.uint8), name, np.array(population, np.int64)
+    )

@@ -1,0 +1,1 @@
+"""Networks from the Overpass API and its cached answers."""

@@ -1,0 +1,55 @@
+"""Solo routes by Dijkstra and by the paper's inflated A*."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from oracles import all_pairs
+from random_networks import road_networks
+
+from platoon_osm.costs.fatigue import fatigue_heuristic
+from platoon_osm.costs.weights import paper_weights
+from platoon_osm.network.geodesy import distance_m
+from platoon_osm.planning.routers import AstarRouter, DijkstraRouter
+from platoon_osm.search.dijkstra import ReferenceEngine, astar
+
+
+@settings(max_examples=25, deadline=None)
+@given(road_networks())
+def test_dijkstra_both_ways(net):
+    weight = paper_weights(net).solo
+    router, least = DijkstraRouter(ReferenceEngine(net, weight)), all_pairs(net, weight)
+    for origin in range(net.n):
+        for destination in range(net.n):
+            assert router.cost(origin, destination) == pytest.approx(least[origin][destination])
+            for backward in (False, True):
+                route = router.route(origin, destination, backward)
+                assert float(weight[route].sum()) == pytest.approx(least[origin][destination])
+                if origin != destination:
+                    assert net.path_nodes(route)[[0, -1]].tolist() == [origin, destination]
+
+
+@settings(max_examples=25, deadline=None)
+@given(road_networks())
+def test_astar_finds_drivable_routes_never_cheaper_than_the_least(net):
+    weight = paper_weights(net).solo
+    least = all_pairs(net, weight)
+    router = AstarRouter(net, weight, master_cost=1e5, speed_mps=110 / 3.6)
+    for origin in range(net.n):
+        for destination in range(net.n):
+            cost, route = router.cost(origin, destination), router.route(origin, destination)
+            assert cost == pytest.approx(float(weight[route].sum()))
+            assert cost >= least[origin][destination] * (1 - 1e-12)
+            if origin != destination:
+                assert net.path_nodes(route)[[0, -1]].tolist() == [origin, destination]
+                assert np.array_equal(net.head[route[:-1]], net.tail[route[1:]])
+
+
+@settings(max_examples=25, deadline=None)
+@given(road_networks())
+def test_the_router_uses_the_papers_heuristic(net):
+    weight = paper_weights(net).solo
+    away = distance_m(net.lon, net.lat, net.lon[1], net.lat[1])
+    cost, route = astar(net, weight, 0, 1, fatigue_heuristic(away, 1e5, 110 / 3.6))
+    router = AstarRouter(net, weight, master_cost=1e5, speed_mps=110 / 3.6)
+    assert router.cost(0, 1) == cost
+    assert np.array_equal(router.route(0, 1), route)
