@@ -12,8 +12,8 @@ PACKAGE = ROOT / "platoon_osm"
 
 WALLS = {
     "": (
-        "errors", "atomic_file", "offers", "network", "sources", "search", "costs", "plans",
-        "driving", "planning", "study", "report", "cli",
+        "errors", "registry", "atomic_file", "offers", "network", "sources", "search", "costs",
+        "plans", "driving", "planning", "study", "report", "cli",
     ),
     "network": ("preparing", "saved"),
     "sources": ("graphs", "osm", "overpass"),

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,6 +30,7 @@ ROAD_CLASSES = (
 )  # fmt: skip
 POINT_KINDS = ("services", "rest_area", "city", "town", "village")
 
+Kept = TypeVar("Kept")
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 
@@ -113,6 +115,7 @@ class RoadNetwork:
     source: Source = field(default_factory=Source)
     load_report: LoadReport = field(default_factory=LoadReport)
     _kept: dict[str, Any] = field(default_factory=dict, repr=False)
+    _attached: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         for owner in (self, self.points):
@@ -390,6 +393,17 @@ class RoadNetwork:
             np.cumsum(np.bincount(self.head, minlength=self.n), out=first[1:])
             self._kept["incoming"] = order, first
         kept: tuple[NDArray[np.int64], NDArray[np.int64]] = self._kept["incoming"]
+        return kept
+
+    def attached(self, kind: Callable[[RoadNetwork], Kept]) -> Kept:
+        """Return what a class makes of this network, made once and kept as long as the network.
+
+        Upper rooms keep here what depends on the network alone: an index of its names, its
+        searches. It is not saved, nor pickled.
+        """
+        if kind not in self._attached:
+            self._attached[kind] = kind(self)
+        kept: Kept = self._attached[kind]
         return kept
 
     def strong_component(self) -> NDArray[np.int32]:

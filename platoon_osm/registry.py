@@ -1,0 +1,113 @@
+"""Lists that can grow: readers, exporters, cost presets and fuel tables, each found by its name.
+
+What is registered here shows up wherever the list is used, in messages and in the command, so a
+user adds one without touching the package:
+
+    from platoon_osm.costs.fuel import FUEL_SAVINGS, FuelSaving
+    FUEL_SAVINGS.add(FuelSaving("ours", 0.02, 0.06, 0.06, "measured by ourselves"))
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Protocol, TypeVar
+
+from .errors import ScenarioError
+
+__all__ = ["Named", "Registry"]
+
+
+class Named(Protocol):
+    """Anything with a name."""
+
+    @property
+    def name(self) -> str:
+        """What it is called in files, options and messages."""
+        ...
+
+
+Item = TypeVar("Item", bound=Named)
+
+
+class Registry(Mapping[str, Item]):
+    """Items by name, in the order in which they were added.
+
+    Parameters
+    ----------
+    kind : str
+        What one item is, for messages: "fuel saving".
+    items : iterable of Item
+        Those that come with the package.
+    """
+
+    def __init__(self, kind: str, items: Iterable[Item] = ()) -> None:
+        self.kind = kind
+        self._items: dict[str, Item] = {}
+        for item in items:
+            self.add(item)
+
+    def add(self, item: Item, *, replace: bool = False) -> Item:
+        """Add an item and return it.
+
+        Parameters
+        ----------
+        item : Item
+            Its name is what it is found by.
+        replace : bool
+            Whether it may take the place of another of the same name.
+
+        Returns
+        -------
+        Item
+            The same item.
+
+        Raises
+        ------
+        ScenarioError
+            The name is empty, or taken by another.
+        """
+        name = item.name
+        if not isinstance(name, str) or not name.strip():
+            raise ScenarioError(f"{self.kind} {name!r}: its name must be a non-empty text")
+        if not replace and self._items.get(name, item) is not item:
+            raise ScenarioError(
+                f"{self.kind} {name!r} is there already; choose another name or replace=True"
+            )
+        self._items[name] = item
+        return item
+
+    def find(self, name: object) -> Item:
+        """Return the item of a name.
+
+        Parameters
+        ----------
+        name : object
+            A name; anything else is refused in the same words.
+
+        Returns
+        -------
+        Item
+            The one that has it.
+
+        Raises
+        ------
+        ScenarioError
+            No item has it; the message names the nearest, and all there are.
+        """
+        if isinstance(name, str) and name in self._items:
+            return self._items[name]
+        near = difflib.get_close_matches(name, self._items, 1, 0.5) if isinstance(name, str) else []
+        hint = f"did you mean {near[0]!r}? " if near else ""
+        raise ScenarioError(
+            f"{self.kind} {repr(name)[:80]} is unknown; {hint}use one of {', '.join(self._items)}"
+        )
+
+    def __getitem__(self, name: str) -> Item:
+        return self._items[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._items)
+
+    def __len__(self) -> int:
+        return len(self._items)
