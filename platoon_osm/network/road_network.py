@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -115,7 +116,8 @@ class RoadNetwork:
     source: Source = field(default_factory=Source)
     load_report: LoadReport = field(default_factory=LoadReport)
     _kept: dict[str, Any] = field(default_factory=dict, repr=False)
-    _attached: dict[Any, Any] = field(default_factory=dict, repr=False)
+    _file: Path | None = field(default=None, repr=False)
+    _attached: dict[Any, Any] = field(init=False, default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         for owner in (self, self.points):
@@ -305,6 +307,11 @@ class RoadNetwork:
         """Number of edges."""
         return len(self.tail)
 
+    @property
+    def file(self) -> Path | None:
+        """The saved network it was opened from, None where it was made in memory."""
+        return self._file
+
     def __repr__(self) -> str:
         return (
             f"<RoadNetwork {self.source.name}: {self.n:,} nodes, {self.m:,} edges, "
@@ -458,7 +465,10 @@ class RoadNetwork:
 
     def with_report(self, report: LoadReport) -> RoadNetwork:
         """Return the same network with another load report."""
-        return replace(self, load_report=report)
+        other = replace(self, load_report=report)
+        # The arrays are the same, so what was made of them holds for both.
+        object.__setattr__(other, "_attached", self._attached)
+        return other
 
     # -- what upper rooms offer ----------------------------------------------------------------
 

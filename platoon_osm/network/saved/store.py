@@ -125,8 +125,8 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
             raise _damaged(file, "its arrays do not match their checksum")
         arrays = {name: _view(payload, item) for name, item in header["arrays"].items()}
         check_arrays(arrays)
-        net = _network(arrays, header)
-        net._kept["file"] = file.absolute()
+        net = _network(arrays, header, file.absolute())
+        net._kept["file"] = net.file
         return net
     except OSError as error:
         raise MapDataError(
@@ -168,7 +168,7 @@ def _view(payload: NDArray[np.uint8], item: dict[str, Any]) -> NDArray[Any]:
     return array
 
 
-def _network(arrays: dict[str, Any], header: dict[str, Any]) -> RoadNetwork:
+def _network(arrays: dict[str, Any], header: dict[str, Any], file: Path) -> RoadNetwork:
     points = NamedPoints(
         **{item.name: arrays.pop(f"points.{item.name}") for item in fields(NamedPoints)}
     )
@@ -180,4 +180,5 @@ def _network(arrays: dict[str, Any], header: dict[str, Any]) -> RoadNetwork:
         points=points,
         source=Source(**header["source"]),
         load_report=LoadReport(report["counts"], tuple(report["remarks"])),
+        _file=file,
     )

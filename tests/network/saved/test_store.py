@@ -290,3 +290,29 @@ def test_others_may_read_what_was_saved(saved):
     plain = saved.with_name("plain")
     plain.write_bytes(b"")
     assert saved.stat().st_mode == plain.stat().st_mode
+
+
+def test_an_opened_network_knows_its_file(tmp_path):
+    net = small_italy()
+    assert net.file is None
+    net.save(tmp_path / "a.platoon")
+    opened = open_network(tmp_path / "a.platoon")
+    assert opened.file == tmp_path / "a.platoon"
+    assert opened.with_report(LoadReport()).file == opened.file
+    assert replace(opened, source=Source("x")).file == opened.file
+    assert opened.reversed()[0].file is None
+    with pytest.raises(AttributeError):
+        opened.file = tmp_path
+
+
+def test_what_was_made_of_a_network_is_not_shared_with_one_of_other_arrays():
+    net = small_italy()
+    made = net.attached(list_of_lengths)
+    assert net.attached(list_of_lengths) is made
+    assert net.with_report(LoadReport({"x": 1})).attached(list_of_lengths) is made
+    longer = replace(net, length_m=net.length_m * 2)
+    assert longer.attached(list_of_lengths) == [2 * length for length in made]
+
+
+def list_of_lengths(net):
+    return net.length_m.tolist()
