@@ -77,6 +77,26 @@ class Registry(Mapping[str, Item]):
         self._items[name] = item
         return item
 
+    def remove(self, name: object) -> Item:
+        """Take an item off the list and return it.
+
+        Parameters
+        ----------
+        name : object
+            Its name.
+
+        Returns
+        -------
+        Item
+            What had that name.
+
+        Raises
+        ------
+        ScenarioError
+            No item has it.
+        """
+        return self._items.pop(self.find(name).name)
+
     def find(self, name: object) -> Item:
         """Return the item of a name.
 

@@ -1,15 +1,44 @@
-"""What people look at: the HTML pages of plans, figures, and files for other programs."""
+"""What people look at: the HTML pages of plans, figures, and files for other programs.
 
-from .charts.figures import write_figures
-from .document.document import DOCUMENT_VERSION, report_document
-from .exports.gis import to_geodataframe, write_geopackage
-from .exports.tracks import write_csv, write_gpx
-from .pages.comparison import comparison_document, write_comparison
-from .pages.flows import flow_document, write_flows
-from .pages.page import explore, plan_map, write_html
+Names are loaded when first used, so that the list of exporters can be read at no cost.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .charts.figures import write_figures
+    from .document.document import DOCUMENT_VERSION, report_document
+    from .exporters import EXPORTERS, Exporter
+    from .exports.gis import to_geodataframe, write_geopackage
+    from .exports.tracks import write_csv, write_gpx
+    from .pages.comparison import comparison_document, write_comparison
+    from .pages.flows import flow_document, write_flows
+    from .pages.page import explore, plan_map, write_html
+
+_WHERE = {
+    "write_figures": "charts.figures",
+    "DOCUMENT_VERSION": "document.document",
+    "report_document": "document.document",
+    "EXPORTERS": "exporters",
+    "Exporter": "exporters",
+    "to_geodataframe": "exports.gis",
+    "write_geopackage": "exports.gis",
+    "write_csv": "exports.tracks",
+    "write_gpx": "exports.tracks",
+    "comparison_document": "pages.comparison",
+    "write_comparison": "pages.comparison",
+    "flow_document": "pages.flows",
+    "write_flows": "pages.flows",
+    "explore": "pages.page",
+    "plan_map": "pages.page",
+    "write_html": "pages.page",
+}
 
 __all__ = [
     "DOCUMENT_VERSION",
+    "EXPORTERS",
+    "Exporter",
     "comparison_document",
     "explore",
     "flow_document",
@@ -24,3 +53,15 @@ __all__ = [
     "write_gpx",
     "write_html",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _WHERE:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_WHERE[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,137 @@
+"""The kinds of output of a plan, each found by its name; a user adds one without touching this.
+
+What is registered here is an option of `platoon-osm plan`:
+
+    from platoon_osm.report.exporters import EXPORTERS, Exporter
+    EXPORTERS.add(Exporter("kml", "places for a globe to write", ".kml", write_kml))
+
+Functions are imported when they are called, so that reading this list costs nothing.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+from ..registry import Registry
+
+if TYPE_CHECKING:
+    from ..network.road_network import RoadNetwork
+    from ..plans.records import JointPlan
+
+__all__ = ["EXPORTERS", "Exporter", "Writes"]
+
+AnyPath = str | os.PathLike[str]
+
+
+class Writes(Protocol):
+    """A function that writes a plan somewhere."""
+
+    def __call__(
+        self, plan: JointPlan, net: RoadNetwork, path: AnyPath, /, *, title: str | None = None
+    ) -> object:
+        """Write a plan; what it returns is not looked at.
+
+        Parameters
+        ----------
+        plan : JointPlan
+            What is written.
+        net : RoadNetwork
+            The network it was made on.
+        path : path-like
+            A file to write, whole or not at all; or a folder that exists.
+        title : str or None
+            Heads it, where it has a heading.
+
+        Returns
+        -------
+        object
+            Anything.
+        """
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Exporter:
+    """One kind of output of a plan.
+
+    Attributes
+    ----------
+    name : str
+        What it is called in options and messages.
+    about : str
+        What it is, in a few words, as the help of the command says it.
+    suffix : str
+        Of the file, with its dot; empty for a folder.
+    write : Writes
+        Writes a plan; called with plan, network, path and `title`.
+    is_folder : bool
+        Whether it is several files in a folder of their own, which exists when `write` is called.
+    """
+
+    name: str
+    about: str
+    suffix: str
+    write: Writes
+    is_folder: bool = False
+
+
+def _html(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .pages.page import write_html
+
+    write_html(plan, net, path, title=title)
+
+
+def _gpkg(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .exports.gis import write_geopackage
+
+    del title  # it has no heading
+    write_geopackage(plan, net, path)
+
+
+def _json(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    del net, title  # a plan names its network itself
+    plan.write_json(path)
+
+
+def _csv(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .exports.tracks import write_csv
+
+    del title
+    write_csv(plan, net, path)
+
+
+def _flows(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .pages.flows import write_flows
+
+    write_flows(plan, net, path, title=title)
+
+
+def _gpx(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .exports.tracks import write_gpx
+
+    del title
+    write_gpx(plan, net, path)
+
+
+def _figures(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .charts.figures import write_figures
+
+    del title
+    write_figures(plan, net, path)
+
+
+EXPORTERS: Registry[Exporter] = Registry(
+    "exporter",
+    [
+        Exporter("html", "self-contained map to write", ".html", _html),
+        Exporter("gpkg", "GeoPackage to write", ".gpkg", _gpkg),
+        Exporter("json", "plan as JSON to write", ".json", _json),
+        Exporter("csv", "legs as CSV to write", ".csv", _csv),
+        Exporter("flows", "page for many vehicles to write", ".html", _flows),
+        Exporter("gpx", "folder for a GPX track of each vehicle", "", _gpx, is_folder=True),
+        Exporter("figures", "folder for figures fit for a paper", "", _figures, is_folder=True),
+    ],
+)
+"""In the order in which the command offers and writes them."""
