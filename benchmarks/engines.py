@@ -288,7 +288,7 @@ def auto_task(case: Case, report: Report, rounds: int) -> None:
         sources = case.origins[:count]
 
         def ask(name: Any, sources: Any = sources) -> Any:
-            net._kept.pop("engines", None)
+            net.attached(engines.Searches).forget()
             return engines.distances(net, case.weight, sources, engine=name)
 
         result = compare(

@@ -19,3 +19,7 @@ class NoRouteError(PlatoonError):
 
 class ScenarioError(PlatoonError):
     """A scenario, trip or option is missing, misspelt or out of range."""
+
+
+class SearchError(PlatoonError, ValueError):
+    """A weight, node or other argument of a search is none that it can use."""

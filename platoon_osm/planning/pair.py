@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 
 from ..costs.weights import EdgeWeights
 from ..network.road_network import RoadNetwork
-from ..search.engine import EngineName, LeastCosts, engine_for
 from ..search.joining import TIE
+from ..search.protocol import EngineName, LeastCosts
+from ..search.searches import engine_for
+from ..search.trees import Trees
 
 __all__ = ["PairPlan", "plan_pair"]
 
@@ -52,26 +54,31 @@ def plan_pair(
     origins: tuple[int, int],
     destinations: tuple[int, int],
     engine: EngineName = "auto",
+    trees: Trees | None = None,
 ) -> PairPlan:
     """Plan two vehicles, the first leading where they drive together.
 
     Parameters
     ----------
-    engine : "reference", "hierarchy", or "auto" for the one that is likely faster.
+    engine : {"auto", "reference", "hierarchy"}
+        Which engine; "auto" is the one that is likely faster.
+    trees : Trees, optional
+        Searches under `weights.solo` that are known already; `engine` is then theirs.
 
     Raises
     ------
     NoRouteError
         If one of them cannot reach its destination even alone.
     """
-    alone = engine_for(net, weights.solo, engine, 4)
-    u, v = alone.trees(origins), alone.trees(destinations, forward=False)
+    if trees is None:
+        trees = Trees(engine_for(net, weights.solo, engine, 4))
+    u, v = trees.trees(origins), trees.trees(destinations, forward=False)
     paths = [u[k].path(destinations[k]) for k in (0, 1)]
     solo_cost = float(u[0].dist[destinations[0]] + u[1].dist[destinations[1]])
     pair_weight = weights.master + weights.platoon
     slack = TIE * solo_cost
     there, onward = [tree.dist for tree in u], [tree.dist for tree in v]
-    together = alone.shared_stretch(pair_weight, there, onward, solo_cost + slack, slack)
+    together = trees.engine.shared_stretch(pair_weight, there, onward, solo_cost + slack, slack)
     near = np.flatnonzero(np.isfinite(together.dist))
     total = together.dist[near] + onward[0][near] + onward[1][near]
     least = float(total.min(initial=np.inf))

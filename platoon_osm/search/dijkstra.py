@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import NoRouteError
 from ..network.road_network import RoadNetwork
+from .arguments import checked_labels, checked_node, checked_nodes, checked_weight, no_route
 from .joining import Found, Positions, best_pairs, entry_exit_costs, only_at
 
 __all__ = ["ReferenceEngine", "Tree", "astar"]
@@ -53,64 +53,6 @@ class Tree:
         return np.array(edges[::-1] if self.forward else edges, np.int64)
 
 
-def no_route(net: RoadNetwork, node: int, forward: bool) -> NoRouteError:
-    """Return the error to raise when a node cannot be reached, or cannot reach."""
-    return NoRouteError(
-        f"no route {'to' if forward else 'from'} {net.place_name(node)} (node {node}); "
-        "choose another place or load more roads"
-    )
-
-
-def checked_weight(net: RoadNetwork, weight: ArrayLike) -> Floats:
-    """Return costs of the edges as an array (m,).
-
-    Raises
-    ------
-    ValueError
-        A weight that is negative, NaN or of the wrong shape.
-    """
-    values = np.asarray(weight, np.float64)
-    if values.shape != (net.m,):
-        raise ValueError(f"weight has shape {values.shape}; the network has {net.m} edges")
-    # The least of values that hold a NaN is NaN, and NaN is not 0 or more.
-    if not values.min(initial=0.0) >= 0:
-        worst = int(np.argmin(np.where(np.isnan(values), -np.inf, values)))
-        raise ValueError(f"weight of edge {worst} is {values[worst]}; it must be 0 or more")
-    return values
-
-
-def checked_nodes(net: RoadNetwork, nodes: ArrayLike) -> Edges:
-    """Return nodes as an array (k,).
-
-    Raises
-    ------
-    ValueError
-        A node outside the network.
-    """
-    wanted = np.array(nodes, np.int64, ndmin=1)
-    if wanted.size and (wanted.min() < 0 or wanted.max() >= net.n):
-        worst = wanted[np.argmax((wanted < 0) | (wanted >= net.n))]
-        raise ValueError(f"node {worst}: the network has nodes 0 to {net.n - 1}")
-    return wanted
-
-
-def checked_labels(net: RoadNetwork, labels: ArrayLike) -> Floats:
-    """Return starting costs of the nodes as an array (n,).
-
-    Raises
-    ------
-    ValueError
-        A label that is negative, NaN or of the wrong shape.
-    """
-    seeds = np.asarray(labels, np.float64)
-    if seeds.shape != (net.n,):
-        raise ValueError(f"labels have shape {seeds.shape}; the network has {net.n} nodes")
-    if not (seeds >= 0).all():
-        worst = int(np.argmin(np.where(np.isnan(seeds), -np.inf, seeds)))
-        raise ValueError(f"label of node {worst} is {seeds[worst]}; it must be 0 or more")
-    return seeds
-
-
 class ReferenceEngine:
     """Searches of one network under one weight.
 
@@ -134,6 +76,7 @@ class ReferenceEngine:
 
         values = checked_weight(net, weight)
         self.net = net
+        self.weight = values.copy()
         open_edges = np.flatnonzero(np.isfinite(values))
         key = net.tail[open_edges].astype(np.int64) * net.n + net.head[open_edges]
         order = np.lexsort((open_edges, values[open_edges], key))
@@ -170,9 +113,9 @@ class ReferenceEngine:
         """Return the tree of least-cost paths from a node, or to it if not forward."""
         from scipy.sparse.csgraph import dijkstra
 
-        start = checked_nodes(self.net, node)
+        start = checked_node(self.net, node)
         graph = self._forward if forward else self._backward
-        dist, before = dijkstra(graph, True, start[0], True)
+        dist, before = dijkstra(graph, True, np.array(start), True)
         return Tree(self.net, dist, self._edges_of(before, forward), forward)
 
     def trees(self, nodes: ArrayLike, forward: bool = True) -> list[Tree]:

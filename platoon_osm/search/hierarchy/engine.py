@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...network.road_network import RoadNetwork
-from ..dijkstra import checked_labels, checked_nodes, checked_weight, no_route
+from ..arguments import checked_labels, checked_nodes, checked_weight, no_route
 from ..joining import Found, Positions
 from .customization import Metric, customize
 from .fused.members import best_on_route

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from platoon_osm.errors import NoRouteError
 from platoon_osm.search import engine as engines
+from platoon_osm.search import price
 from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.search.hierarchy import engine as fast
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
@@ -285,17 +286,18 @@ def test_same_errors(ask, message, name):
 
 def test_auto_takes_the_reference_for_little_and_the_hierarchy_for_much(monkeypatch):
     net, weight = planar(3000, 2)
-    monkeypatch.setattr(engines, "_loaded", lambda: False)
-    monkeypatch.setattr(engines, "_compiled", lambda: False)
+    monkeypatch.setattr(price, "_loaded", lambda: False)
+    monkeypatch.setattr(price, "_compiled", lambda: False)
     assert engines.engine_for(net, weight, "auto", 1).name == "reference"
     assert engines.engine_for(net, weight, "auto", 10**7).name == "hierarchy"
-    monkeypatch.setattr(engines, "_loaded", lambda: True)
+    monkeypatch.setattr(price, "_loaded", lambda: True)
     assert engines.engine_for(net, weight, "auto", 100).name == "hierarchy"
 
 
 def test_one_core_and_many_agree_to_the_last_bit(monkeypatch):
     for module in (
-        "customization", "sweeps", "two_sweeps", "batches", "selection", "members",
+        "customization", "sweeping.sweeps", "sweeping.two_sweeps", "sweeping.batches",
+        "fused.selection", "fused.members",
     ):  # fmt: skip
         monkeypatch.setattr(f"{fast.__package__}.{module}.WORTH_A_THREAD", 0)
     net, weight = planar(3000, 5)

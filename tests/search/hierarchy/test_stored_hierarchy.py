@@ -99,8 +99,8 @@ def test_a_folder_that_cannot_be_written_costs_only_time(saved, monkeypatch):
 def test_two_processes_build_at_once(saved):
     path, weight = saved
     script = (
-        "import sys; from platoon_osm.network.store import open_network;"
-        "from platoon_osm.network.hierarchy.storage import topology_of;"
+        "import sys; from platoon_osm.network.saved.store import open_network;"
+        "from platoon_osm.search.hierarchy.preparing.storage import topology_of;"
         "print(topology_of(open_network(sys.argv[1])).head.sum())"
     )
     both = [
@@ -120,6 +120,6 @@ def test_two_processes_build_at_once(saved):
 def test_nothing_is_compiled_or_loaded_at_import():
     script = (
         "import sys, platoon_osm as po; po.plan_members, po.many_to_many;"
-        "import platoon_osm.network.engines; assert 'numba' not in sys.modules"
+        "import platoon_osm.search.engine; assert 'numba' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", script], check=True, timeout=60)

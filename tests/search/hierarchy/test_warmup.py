@@ -8,6 +8,7 @@ from graphs import planar
 from platoon_osm.cli import main
 from platoon_osm.network.saved.store import save_network
 from platoon_osm.search import engine as engines
+from platoon_osm.search import price
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
 from platoon_osm.search.hierarchy.preparing.storage import hierarchy_path
 
@@ -18,14 +19,16 @@ def test_warmup_compiles_and_prepares(tmp_path, capsys):
     assert main(["warmup", str(path)]) == 0
     assert "ready" in capsys.readouterr().out
     assert hierarchy_path(path).is_file()
-    assert engines._loaded()
-    assert engines._compiled()
+    assert price._loaded()
+    assert price._compiled()
 
 
 def test_nothing_is_left_to_compile(monkeypatch):
     engines.warm_up()
-    parts = ("batches", "customization", "members", "paths", "rows", "selection",
-             "shared_stretch", "sweeps", "two_sweeps")  # fmt: skip
+    parts = (
+        "customization", "paths", "fused.members", "fused.selection", "fused.shared_stretch",
+        "sweeping.batches", "sweeping.rows", "sweeping.sweeps", "sweeping.two_sweeps",
+    )  # fmt: skip
     modules = [importlib.import_module(f"platoon_osm.search.hierarchy.{part}") for part in parts]
     for module in modules:
         monkeypatch.setattr(module, "WORTH_A_THREAD", 0, raising=False)

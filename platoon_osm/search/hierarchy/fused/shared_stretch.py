@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....network.road_network import RoadNetwork
-from ...dijkstra import no_route
+from ...arguments import no_route
 from ..runtime.jit import compiled
 from ..runtime.lent import lent
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import logging
-import os
 import zipfile
 from dataclasses import fields
 from pathlib import Path
@@ -18,6 +17,7 @@ import numpy as np
 from ....atomic_file import whole_file
 from ....errors import MapDataError
 from ....network.road_network import RoadNetwork
+from ...kept_topology import KeptTopology, hierarchy_path
 from ..runtime.threads import cores
 from .ranks import block_rows, runs
 from .symbolic import Topology, build_topology
@@ -25,7 +25,6 @@ from .symbolic import Topology, build_topology
 __all__ = ["hierarchy_path", "topology_hash", "topology_of"]
 
 FORMAT_VERSION = 2
-KEPT = "hierarchy"
 log = logging.getLogger(__name__)
 
 
@@ -35,10 +34,11 @@ def topology_of(net: RoadNetwork, threads: int | None = None) -> Topology:
     A network opened from a file knows it; one made in memory is only kept. Two processes that
     build at once write files of their own and rename them, so each reads a whole one.
     """
-    kept = net._kept.get(KEPT)
-    if kept is not None and kept[0] is net.head:
-        return kept[1]  # type: ignore[no-any-return]
-    file = net._kept.get("file")
+    kept = net.attached(KeptTopology)
+    known: Topology | None = kept.of(net)
+    if known is not None:
+        return known
+    file = kept.file
     found = _read(hierarchy_path(file), net) if file is not None else None
     if found is None:
         found = build_topology(
@@ -46,14 +46,8 @@ def topology_of(net: RoadNetwork, threads: int | None = None) -> Topology:
         )
         if file is not None:
             _write(hierarchy_path(file), net, found)
-    net._kept[KEPT] = net.head, found
+    kept.keep(net, found)
     return found
-
-
-def hierarchy_path(file: str | os.PathLike[str]) -> Path:
-    """Return where the hierarchy of a saved network is stored."""
-    path = Path(file)
-    return path.with_name(path.name + ".hierarchy")
 
 
 def topology_hash(net: RoadNetwork) -> str:
