@@ -23,6 +23,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..columns import lengthened
 from ..geodesy import bearing_deg, distance_m, metres_per_degree
 from ..road_network import ROAD_CLASSES, RoadNetwork
 from .split import split_edges
@@ -310,24 +311,22 @@ def _with_links(net: RoadNetwork, pairs: Index) -> RoadNetwork:
     gap = distance_m(net.lon[tails], net.lat[tails], net.lon[heads], net.lat[heads])
     count = len(pairs)
     ends = pairs.ravel()
-
-    def longer(values: Any, extra: Any) -> Any:
-        return np.concatenate([values, np.full(count, extra, values.dtype)])
-
-    return RoadNetwork.from_edges(
-        np.concatenate([net.tail, tails]),
-        np.concatenate([net.head, heads]),
-        np.concatenate([net.length_m, np.maximum(gap, SHORTEST_RAMP_M)]),
-        lon=net.lon, lat=net.lat,
-        speed_mps=longer(net.speed_mps, RAMP_SPEED_MPS),
-        node_id=net.node_id, node_name=net.node_name, node_ref=net.node_ref,
-        road_class=longer(net.road_class, ROAD_CLASSES.index("motorway_link")),
-        ref=longer(net.ref, 0), name=longer(net.name, 0), toll=longer(net.toll, False),
-        inferred=longer(net.inferred, True), way_id=longer(net.way_id, 0),
+    edges = lengthened(
+        net,
+        "edge",
+        count,
+        tail=tails,
+        head=heads,
+        length_m=np.maximum(gap, SHORTEST_RAMP_M),
+        speed_mps=RAMP_SPEED_MPS,
+        road_class=ROAD_CLASSES.index("motorway_link"),
+        inferred=True,
+    )
+    return net.with_columns(
+        **edges,
         shape_first=np.concatenate(
             [net.shape_first, net.shape_first[-1] + 2 * np.arange(1, count + 1)]
         ),
         shape_lon=np.concatenate([net.shape_lon, net.lon[ends]]),
         shape_lat=np.concatenate([net.shape_lat, net.lat[ends]]),
-        texts=net.texts, points=net.points, source=net.source, report=net.load_report,
-    )  # fmt: skip
+    )

@@ -5,11 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..columns import columns_per
 from ..road_network import RoadNetwork
 from ..shapes import ragged_order
 from .chains import Chains, contract_chains
 
 __all__ = ["merge_chains"]
+
+WORKED_OUT = frozenset({"tail", "head", "length_m", "speed_mps"})
+"""Columns of a chain that are no choice among those of its parts."""
 
 
 def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> RoadNetwork:
@@ -41,42 +45,38 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
     first_speed = net.speed_mps[chains.segments[starts]]
     speed = np.divide(length, time, out=first_speed.copy(), where=time > 0)
     points, shape_first = _joined_shapes(net, chains)
-    return RoadNetwork.from_edges(
-        renumbered[new_tail],
-        renumbered[new_head],
-        length,
-        lon=net.lon[used],
-        lat=net.lat[used],
+    longest = {
+        column.name: _of_longest_part(getattr(net, column.name), net.length_m, chains)
+        for column in columns_per("edge")
+        if column.in_chain == "longest" and column.name not in WORKED_OUT
+    }
+    return net.take(
+        chains.segments[starts],
+        **longest,
+        **{column.name: getattr(net, column.name)[used] for column in columns_per("node")},
+        tail=renumbered[new_tail],
+        head=renumbered[new_head],
+        length_m=length,
         speed_mps=speed,
-        node_id=net.node_id[used],
-        node_name=net.node_name[used],
-        node_ref=net.node_ref[used],
-        road_class=_of_longest_part(net.road_class, net.length_m, chains),
-        ref=_of_longest_part(net.ref, net.length_m, chains),
-        name=_of_longest_part(net.name, net.length_m, chains),
-        toll=net.toll[chains.segments[starts]],
-        inferred=net.inferred[chains.segments[starts]],
-        way_id=_of_longest_part(net.way_id, net.length_m, chains),
         shape_first=shape_first,
         shape_lon=net.shape_lon[points],
         shape_lat=net.shape_lat[points],
-        texts=net.texts,
-        points=net.points,
-        source=net.source,
-        report=net.load_report,
     )
 
 
 def _where_values_change(net: RoadNetwork) -> NDArray[np.bool_]:
-    """Mark nodes whose edges differ in toll or in being inferred: costs change there."""
+    """Mark nodes whose edges differ in what chains keep: costs change there."""
     changes = np.zeros(net.n, bool)
-    for values in (net.toll, net.inferred):
-        with_it = np.zeros(net.n, bool)
-        without = np.zeros(net.n, bool)
+    for column in columns_per("edge"):
+        if column.in_chain != "same":
+            continue
+        values = getattr(net, column.name)
+        # One value of each node's edges, whichever is written last, for the others to match.
+        one = np.zeros(net.n, values.dtype)
+        one[net.tail] = values
+        one[net.head] = values
         for ends in (net.tail, net.head):
-            with_it[ends[values]] = True
-            without[ends[~values]] = True
-        changes |= with_it & without
+            changes[ends[values != one[ends]]] = True
     return changes
 
 

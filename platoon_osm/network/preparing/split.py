@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..columns import lengthened
 from ..geodesy import distance_m
 from ..road_network import RoadNetwork
 from ..shapes import ragged_order
@@ -104,30 +105,16 @@ def _rebuilt(
     sizes = np.array([len(shape) for shape in shapes], np.int64)
     new = len(lon) - net.n
 
-    def with_new(codes: NDArray[np.int32]) -> NDArray[np.int32]:
-        return np.concatenate([codes, np.zeros(new, np.int32)])
-
-    return RoadNetwork.from_edges(
-        np.concatenate([net.tail[stays], np.array(tails, np.int32)]),
-        np.concatenate([net.head[stays], np.array(heads, np.int32)]),
-        np.concatenate([net.length_m[stays], np.array(lengths)]),
-        lon=lon,
-        lat=lat,
-        speed_mps=net.speed_mps[origin],
-        node_id=np.concatenate([net.node_id, _new_ids(net, new)]),
-        node_name=with_new(net.node_name),
-        node_ref=with_new(net.node_ref),
-        road_class=net.road_class[origin],
-        ref=net.ref[origin],
-        name=net.name[origin],
-        toll=net.toll[origin],
-        inferred=net.inferred[origin],
-        way_id=net.way_id[origin],
+    nodes = lengthened(
+        net, "node", new, lon=lon[net.n :], lat=lat[net.n :], node_id=_new_ids(net, new)
+    )
+    return net.take(
+        origin,
+        **nodes,
+        tail=np.concatenate([net.tail[stays], np.array(tails, np.int32)]),
+        head=np.concatenate([net.head[stays], np.array(heads, np.int32)]),
+        length_m=np.concatenate([net.length_m[stays], np.array(lengths)]),
         shape_first=np.concatenate([first, first[-1] + np.cumsum(sizes)]),
         shape_lon=np.concatenate([net.shape_lon[points], added[:, 0]]),
         shape_lat=np.concatenate([net.shape_lat[points], added[:, 1]]),
-        texts=net.texts,
-        points=net.points,
-        source=net.source,
-        report=net.load_report,
     )

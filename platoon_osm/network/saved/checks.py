@@ -8,22 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..road_network import POINT_KINDS, ROAD_CLASSES
+from ..columns import columns_per
 
 __all__ = ["check_arrays"]
 
 Arrays = Mapping[str, NDArray[Any]]
 
-PER_NODE = {"lon": "f8", "lat": "f8", "node_id": "i8", "node_name": "i4", "node_ref": "i4"}
-PER_EDGE = {
-    "tail": "i4", "head": "i4", "length_m": "f8", "speed_mps": "f8", "road_class": "u1",
-    "ref": "i4", "name": "i4", "toll": "b1", "inferred": "b1", "way_id": "i8",
-}  # fmt: skip
-PER_POINT = {
-    "points.lon": "f8", "points.lat": "f8", "points.kind": "u1", "points.name": "i4",
-    "points.population": "i8",
-}  # fmt: skip
-PER_SHAPE_POINT = {"shape_lon": "f8", "shape_lat": "f8"}
+DTYPES = {column.name: column.dtype for column in columns_per("offset")}
+DTYPES |= {"texts.offsets": "i8", "texts.blob": "u1"}
 
 
 def check_arrays(arrays: Arrays) -> None:
@@ -31,6 +23,11 @@ def check_arrays(arrays: Arrays) -> None:
 
     Only arrays of positions are read, with one or two passes each; lengths, speeds and
     coordinates stay on disk.
+
+    Parameters
+    ----------
+    arrays : mapping of str to ndarray
+        By the names of the table of columns, with "texts.offsets" and "texts.blob".
 
     Raises
     ------
@@ -40,39 +37,37 @@ def check_arrays(arrays: Arrays) -> None:
         An array is missing.
     """
     n, m = len(arrays["lon"]), len(arrays["tail"])
-    _typed(arrays, PER_NODE, n)
-    _typed(arrays, PER_EDGE, m)
-    _typed(arrays, PER_POINT, len(arrays["points.lon"]))
-    _typed(arrays, PER_SHAPE_POINT, len(arrays["shape_lon"]))
-    _typed(arrays, {"first_out": "i4"}, n + 1)
-    _typed(arrays, {"shape_first": "i8"}, m + 1)
-    _typed(arrays, {"texts.offsets": "i8"}, max(len(arrays["texts.offsets"]), 2))
-    _typed(arrays, {"texts.blob": "u1"}, len(arrays["texts.blob"]))
-    _rising(arrays, "first_out", m, step=0)
-    _rising(arrays, "shape_first", len(arrays["shape_lon"]), step=2)
-    _rising(arrays, "texts.offsets", len(arrays["texts.blob"]), step=0)
-    _within(arrays, "head", n)
+    texts = max(len(arrays["texts.offsets"]) - 1, 1)
+    sizes = {"node": n, "edge": m}
+    sizes |= {"shape point": len(arrays["shape_lon"]), "named point": len(arrays["points.lon"])}
+    counts = {"nodes": n, "texts": texts}
+    for column in columns_per("node", "edge", "shape point", "named point"):
+        _typed(arrays, column.name, column.dtype, sizes[column.per])
+    for name, last, step, rows in (
+        ("first_out", m, 0, n), ("shape_first", sizes["shape point"], 2, m),
+        ("texts.offsets", len(arrays["texts.blob"]), 0, texts),
+    ):  # fmt: skip
+        _typed(arrays, name, DTYPES[name], rows + 1)
+        _rising(arrays, name, last, step)
+    _typed(arrays, "texts.blob", DTYPES["texts.blob"], len(arrays["texts.blob"]))
     leaving = np.diff(arrays["first_out"])
     if not np.array_equal(arrays["tail"], np.repeat(np.arange(n, dtype=np.int32), leaving)):
         raise ValueError("tail does not fit first_out")
-    texts = len(arrays["texts.offsets"]) - 1
-    for name in ("node_name", "node_ref", "ref", "name", "points.name"):
-        _within(arrays, name, texts)
-    _within(arrays, "road_class", len(ROAD_CLASSES))
-    _within(arrays, "points.kind", len(POINT_KINDS))
-    for name in ("toll", "inferred"):
+    for column in columns_per("node", "edge", "named point"):
+        # That tails are nodes follows from first_out.
+        if column.codes and column.name != "tail":
+            codes = column.codes
+            count = counts[codes] if isinstance(codes, str) else len(codes)
+            _within(arrays, column.name, count)
         # A byte other than 0 and 1 would be neither true nor false.
-        if (arrays[name].view(np.uint8) > 1).any():
-            raise ValueError(f"{name} holds values that are no truth values")
+        if column.dtype == "b1" and (arrays[column.name].view(np.uint8) > 1).any():
+            raise ValueError(f"{column.name} holds values that are no truth values")
 
 
-def _typed(arrays: Arrays, types: Mapping[str, str], size: int) -> None:
-    for name, dtype in types.items():
-        array = arrays[name]
-        if array.dtype != np.dtype(dtype).newbyteorder("<") or array.shape != (size,):
-            raise ValueError(
-                f"{name} is {array.dtype} of shape {array.shape}, not {dtype} ({size},)"
-            )
+def _typed(arrays: Arrays, name: str, dtype: str, size: int) -> None:
+    array = arrays[name]
+    if array.dtype != np.dtype(dtype).newbyteorder("<") or array.shape != (size,):
+        raise ValueError(f"{name} is {array.dtype} of shape {array.shape}, not {dtype} ({size},)")
 
 
 def _rising(arrays: Arrays, name: str, last: int, step: int) -> None:

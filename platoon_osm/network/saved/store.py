@@ -14,7 +14,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from dataclasses import fields
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from ...atomic_file import whole_file
 from ...errors import MapDataError, NetworkError
+from ..columns import COLUMNS, columns_per
 from ..load_report import LoadReport, Source
 from ..road_network import NamedPoints, RoadNetwork
 from ..texts import TextTable
@@ -43,6 +44,13 @@ def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     """Write a network so that `open_network` needs only to map the file.
 
     The file appears whole or not at all: it is written beside its place and then renamed.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        What to write.
+    path : path-like
+        The file; `load_network` knows it by its content, people by the suffix `.platoon`.
 
     Raises
     ------
@@ -85,8 +93,16 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
 
     Parameters
     ----------
-    verify : compare all arrays with the hash they were saved with; by default only where that
-        takes a few milliseconds, up to 16 MB. Damage to arrays of positions is always found.
+    path : path-like
+        A file written by `save_network`.
+    verify : bool, optional
+        Whether to compare all arrays with the hash they were saved with; by default only where
+        that takes a few milliseconds, up to 16 MB. Damage to arrays of positions is always found.
+
+    Returns
+    -------
+    RoadNetwork
+        Its arrays are views of the file.
 
     Raises
     ------
@@ -148,13 +164,7 @@ def _padded(array: NDArray[Any]) -> bytes:
 
 
 def _arrays(net: RoadNetwork) -> dict[str, NDArray[Any]]:
-    arrays = {
-        item.name: value
-        for item in fields(net)
-        if isinstance(value := getattr(net, item.name), np.ndarray)
-    }
-    for item in fields(net.points):
-        arrays[f"points.{item.name}"] = getattr(net.points, item.name)
+    arrays = {column.name: attrgetter(column.name)(net) for column in COLUMNS}
     arrays["texts.offsets"] = net.texts.offsets
     arrays["texts.blob"] = net.texts.blob
     return arrays
@@ -169,9 +179,7 @@ def _view(payload: NDArray[np.uint8], item: dict[str, Any]) -> NDArray[Any]:
 
 
 def _network(arrays: dict[str, Any], header: dict[str, Any], file: Path) -> RoadNetwork:
-    points = NamedPoints(
-        **{item.name: arrays.pop(f"points.{item.name}") for item in fields(NamedPoints)}
-    )
+    points = NamedPoints(*(arrays.pop(column.name) for column in columns_per("named point")))
     texts = TextTable(arrays.pop("texts.offsets"), arrays.pop("texts.blob"))
     report = header["report"]
     return RoadNetwork(
