@@ -135,7 +135,7 @@ for _name, _where in {
     "save_network": "network.saved.store",
     "to_networkx": "sources.graphs.exchange",
     "from_networkx": "sources.graphs.exchange",
-    "to_geodataframes": "sources.graphs.exchange",
+    "to_geodataframes": "sources.graphs.geodataframes",
     "summary": "plans.summary",
     "explore": "report.pages.page",
     "plan_table": "report.pages.notebook",

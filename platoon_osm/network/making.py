@@ -118,6 +118,7 @@ def checked_edges(edges: ArrayLike, m: int) -> NDArray[np.int64]:
 
 def _check_names(given: Mapping[str, Any]) -> None:
     known = [column.name for column in COLUMNS if column.per != "named point"]
+    known.remove("first_out")
     for name in given:
         if name == "first_out":
             raise NetworkError("network: first_out follows from tail; leave it out")

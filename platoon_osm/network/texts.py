@@ -29,6 +29,10 @@ class TextTable(Sequence[str]):
         self.blob = blob
         offsets.flags.writeable = blob.flags.writeable = False
 
+    def __reduce__(self) -> tuple[type[TextTable], tuple[NDArray[np.int64], NDArray[np.uint8]]]:
+        # Made anew, so that the arrays come back read-only.
+        return TextTable, (self.offsets, self.blob)
+
     @classmethod
     def from_strings(cls, strings: Iterable[str]) -> TextTable:
         """Build a table from strings, in their order."""

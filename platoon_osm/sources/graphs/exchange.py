@@ -1,4 +1,4 @@
-"""The road network as an OSMnx-style graph or as GeoDataFrames, and back from a graph."""
+"""The road network as an OSMnx-style graph, and back."""
 
 from __future__ import annotations
 
@@ -9,26 +9,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import NetworkError
+from ...network.columns import Column, columns_per
 from ...network.load_report import LoadReport, Source
-from ...network.road_network import ROAD_CLASSES, RoadNetwork
-from .graph_arrays import EdgeRow, check_degrees, graph_arrays
+from ...network.road_network import RoadNetwork
+from .geodataframes import ENDS, LABELS, edge_lines
+from .graph_arrays import Attributes, EdgeRow, check_degrees, graph_arrays
 from .graph_values import flag, joined, number, parts, whole_number
 
 if TYPE_CHECKING:
-    import geopandas
     import networkx
 
 __all__ = [
     "directed_edges",
     "from_networkx",
     "graph_source",
-    "to_geodataframes",
     "to_networkx",
     "way_id_of",
 ]
 
 DEFAULT_SPEED_MPS = 80 / 3.6
 JUNCTION = "motorway_junction"
+PLACE = ("lon", "lat", "node_id")
+
+GRAPH_NAMES = {**LABELS, "way_id": "osmid", "length_m": "length"}
+"""Columns that OSMnx calls otherwise."""
 
 
 def to_networkx(net: RoadNetwork) -> networkx.MultiDiGraph[int]:
@@ -50,60 +54,56 @@ def to_networkx(net: RoadNetwork) -> networkx.MultiDiGraph[int]:
     ids = net.node_id.tolist()
     unique = len(set(ids)) == net.n
     keys = ids if unique else list(range(net.n))
-    for v, (key, x, y, name, ref) in enumerate(
-        zip(
-            keys, net.lon.tolist(), net.lat.tolist(), net.node_name.tolist(),
-            net.node_ref.tolist(), strict=True,
-        )
-    ):  # fmt: skip
-        signs = {"name": texts[name], "ref": texts[ref]} if name or ref else {}
-        known = {label: text for label, text in signs.items() if text}
-        if known:
-            known["highway"] = JUNCTION
-        graph.add_node(key, x=x, y=y, **({} if unique else {"node_id": ids[v]}), **known)
-    geometries = _lines(net)
-    drawn = _drawn(net)
-    columns = zip(
-        net.tail.tolist(), net.head.tolist(), net.length_m.tolist(), net.speed_mps.tolist(),
-        net.road_class.tolist(), net.ref.tolist(), net.name.tolist(), net.toll.tolist(),
-        net.inferred.tolist(), net.way_id.tolist(), drawn, geometries, strict=True,
-    )  # fmt: skip
-    for e, (u, v, length, speed, kind, ref, name, toll, inferred, way, curved, line) in enumerate(
-        columns
-    ):
-        known = {"ref": texts[ref], "name": texts[name]}
+    signs = _node_attributes(net, texts)
+    for v, (key, x, y) in enumerate(zip(keys, net.lon.tolist(), net.lat.tolist(), strict=True)):
+        graph.add_node(key, x=x, y=y, **({} if unique else {"node_id": ids[v]}), **signs[v])
+    told = {
+        GRAPH_NAMES.get(column.name, column.name): _told(net, column, texts)
+        for column in columns_per("edge")
+        if column.name not in ENDS
+    }
+    rows = zip(*told.values(), strict=True)
+    geometries, drawn = edge_lines(net), _drawn(net)
+    for e, (u, v, row) in enumerate(zip(net.tail.tolist(), net.head.tolist(), rows, strict=True)):
+        known = {label: value for label, value in zip(told, row, strict=True) if value != ""}
+        speed = known["speed_mps"]
         graph.add_edge(
             keys[u],
             keys[v],
-            osmid=way,
-            highway=ROAD_CLASSES[kind],
-            **{label: text for label, text in known.items() if text},
+            **known,
             oneway=True,
             maxspeed=f"{speed * 3.6:.10g}",
-            length=length,
             speed_kph=speed * 3.6,
-            speed_mps=speed,
-            travel_time=length / speed,
-            toll=toll,
-            inferred=inferred,
+            travel_time=known["length"] / speed,
             edge_id=e,
-            **({"geometry": line} if curved else {}),
+            **({"geometry": geometries[e]} if drawn[e] else {}),
         )
     return graph
 
 
-def _lines(net: RoadNetwork) -> NDArray[np.object_]:
-    """Return the shapes of all edges, (m,) LineStrings."""
-    import shapely
+def _node_attributes(net: RoadNetwork, texts: list[str]) -> list[dict[str, Any]]:
+    """Return what each node tells besides its place: its signs, if it has any."""
+    attributes: list[dict[str, Any]] = [{} for _ in range(net.n)]
+    for column in columns_per("node"):
+        if column.name in PLACE:
+            continue
+        label = GRAPH_NAMES.get(column.name, column.name)
+        for own, value in zip(attributes, _told(net, column, texts), strict=True):
+            if value != "":
+                own[label] = value
+    for own in attributes:
+        if "name" in own or "ref" in own:
+            own["highway"] = JUNCTION
+    return attributes
 
-    lines: NDArray[np.object_] = np.asarray(
-        shapely.linestrings(
-            np.column_stack([net.shape_lon, net.shape_lat]),
-            indices=np.repeat(np.arange(net.m), np.diff(net.shape_first)),
-        ),
-        dtype=object,
-    )
-    return lines
+
+def _told(net: RoadNetwork, column: Column, texts: list[str]) -> list[Any]:
+    """Return the values of a column as a graph has them: codes as what they stand for."""
+    values: list[Any] = getattr(net, column.name).tolist()
+    if not column.codes:
+        return values
+    names = texts if column.codes == "texts" else column.codes
+    return [names[code] for code in values]
 
 
 def _drawn(net: RoadNetwork) -> list[bool]:
@@ -166,34 +166,49 @@ def from_networkx(graph: networkx.DiGraph[Any]) -> RoadNetwork:
     arrays = graph_arrays(nodes, edges)
     data = [attributes for _, _, attributes in edges]
     speeds = [_speed_mps(edge) for edge in edges]
+    # A name without a junction is not that of a sign on the road.
     signs = [node if node.get("highway", JUNCTION) == JUNCTION else {} for _, node in nodes]
+    columns: dict[str, Any] = {name: getattr(arrays, name) for name in arrays.__slots__}
+    columns |= {
+        column.name: _read(column, signs if column.codes == "texts" else [row[1] for row in nodes])
+        for column in columns_per("node")
+        if column.name not in PLACE
+    }
+    columns |= {
+        column.name: _read(column, data)
+        for column in columns_per("edge")
+        if column.name not in {*ENDS, "length_m", "speed_mps"}
+    }
     report = LoadReport({"nodes read": len(nodes), "edges read": len(edges)})
     if defaulted := speeds.count(None):
         report = report.extended({"speed defaulted to 80 km/h": defaulted})
     return RoadNetwork.from_edges(
-        arrays.tail,
-        arrays.head,
-        arrays.length_m,
-        lon=arrays.lon,
-        lat=arrays.lat,
+        **columns,
         speed_mps=np.array(
             [DEFAULT_SPEED_MPS if speed is None else speed for speed in speeds], np.float64
         ),
-        node_id=arrays.node_id,
-        node_name=_strings([joined(node.get("name")) for node in signs]),
-        node_ref=_strings([joined(node.get("ref")) for node in signs]),
-        road_class=np.array([_class_code(item.get("highway")) for item in data], np.uint8),
-        ref=_strings([joined(item.get("ref")) for item in data]),
-        name=_strings([joined(item.get("name")) for item in data]),
-        toll=np.array([flag(item.get("toll")) for item in data], np.bool_),
-        inferred=np.array([flag(item.get("inferred")) for item in data], np.bool_),
-        way_id=np.array([way_id_of(item.get("osmid")) for item in data], np.int64),
-        shape_first=arrays.shape_first,
-        shape_lon=arrays.shape_lon,
-        shape_lat=arrays.shape_lat,
         source=graph_source(graph),
         report=report,
     )
+
+
+def _read(column: Column, rows: Sequence[Attributes]) -> NDArray[Any]:
+    """Return a column from the attributes of nodes or edges, the default where they have none."""
+    label = GRAPH_NAMES.get(column.name, column.name)
+    values = [row.get(label) for row in rows]
+    if column.codes == "texts":
+        # As objects: numpy's own text type drops what follows a null character.
+        return np.array([joined(value) for value in values], object)
+    if isinstance(column.codes, tuple):
+        return np.array([_code(column.codes, value) for value in values], column.dtype)
+    if column.dtype == "b1":
+        return np.array([flag(value) for value in values], np.bool_)
+    given = [(number if "f" in column.dtype else whole_number)(value) for value in values]
+    read = column.filled(len(given))
+    for i, value in enumerate(given):
+        if value is not None:
+            read[i] = value
+    return read
 
 
 def graph_source(graph: Any) -> Source:
@@ -202,11 +217,6 @@ def graph_source(graph: Any) -> Source:
     if not isinstance(noted, dict):
         return Source("graph in memory")
     return Source(**{key: str(noted[key]) for key in Source().to_dict() if key in noted})
-
-
-def _strings(column: Sequence[str]) -> Any:
-    # As objects: numpy's own text type drops what follows a null character.
-    return np.array(column, object)
 
 
 def _speed_mps(edge: EdgeRow) -> float | None:
@@ -224,56 +234,16 @@ def _speed_mps(edge: EdgeRow) -> float | None:
     return None
 
 
-def _class_code(highway: Any) -> int:
-    """Return the most important class among the values; anything unknown is "other"."""
-    codes = [ROAD_CLASSES.index(kind) for kind in parts(highway) if kind in ROAD_CLASSES]
-    return min(codes, default=ROAD_CLASSES.index("other"))
+def _code(names: tuple[str, ...], value: Any) -> int:
+    """Return the first of the names among the values, as classes go from the most important.
+
+    Anything unknown is the last, "other".
+    """
+    return min(
+        (names.index(part) for part in parts(value) if part in names), default=len(names) - 1
+    )
 
 
 def way_id_of(osmid: Any) -> int:
     """Return the lowest way id of an edge: simplified ones are made of several; 0 if none."""
     return whole_number(osmid) or 0
-
-
-def to_geodataframes(
-    net: RoadNetwork,
-) -> tuple[geopandas.GeoDataFrame, geopandas.GeoDataFrame]:
-    """Return nodes and edges as GeoDataFrames in EPSG:4326.
-
-    Returns
-    -------
-    nodes : index `node` (position), columns `node_id`, `name`, `ref`, points.
-    edges : index `edge_id`, columns `tail`, `head` (node positions), `tail_id`, `head_id`
-        (OpenStreetMap ids), `highway`, `ref`, `name`, `length_m`, `speed_mps`, `toll`, `inferred`,
-        `way_id`, lines.
-    """
-    import geopandas
-    import shapely
-
-    texts = np.array(list(net.texts), object)
-    nodes = geopandas.GeoDataFrame(
-        {"node_id": net.node_id, "name": texts[net.node_name], "ref": texts[net.node_ref]},
-        geometry=shapely.points(net.lon, net.lat),
-        crs="EPSG:4326",
-    )
-    nodes.index.name = "node"
-    edges = geopandas.GeoDataFrame(
-        {
-            "tail": net.tail,
-            "head": net.head,
-            "tail_id": net.node_id[net.tail],
-            "head_id": net.node_id[net.head],
-            "highway": np.array(ROAD_CLASSES, object)[net.road_class],
-            "ref": texts[net.ref],
-            "name": texts[net.name],
-            "length_m": net.length_m,
-            "speed_mps": net.speed_mps,
-            "toll": net.toll,
-            "inferred": net.inferred,
-            "way_id": net.way_id,
-        },
-        geometry=_lines(net),
-        crs="EPSG:4326",
-    )
-    edges.index.name = "edge_id"
-    return nodes, edges

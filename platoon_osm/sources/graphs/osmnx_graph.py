@@ -238,14 +238,10 @@ def _network(
     arrays = graph_arrays(nodes, kept)
     signs = [data if data.get("highway") == JUNCTION else {} for _, data in nodes]
     data = [attributes for _, _, attributes in kept]
+    geometry: dict[str, Any] = {name: getattr(arrays, name) for name in arrays.__slots__}
     net = RoadNetwork.from_edges(
-        arrays.tail,
-        arrays.head,
-        arrays.length_m,
-        lon=arrays.lon,
-        lat=arrays.lat,
+        **geometry,
         speed_mps=np.array([reading.speed_kmh for reading in readings]) / 3.6,
-        node_id=arrays.node_id,
         node_name=np.array([joined(sign.get("name")) for sign in signs], object),
         node_ref=np.array([joined(sign.get("ref")) for sign in signs], object),
         road_class=np.array(kinds, np.uint8),
@@ -256,9 +252,6 @@ def _network(
         toll=np.array([reading.toll for reading in readings], np.bool_),
         inferred=np.array([flag(item.get("inferred")) for item in data], np.bool_),
         way_id=np.array([way_id_of(item.get("osmid")) for item in data], np.int64),
-        shape_first=arrays.shape_first,
-        shape_lon=arrays.shape_lon,
-        shape_lat=arrays.shape_lat,
         source=source,
     )
     return choice.finished(net, np.array([bool(sign) for sign in signs], np.bool_), *remarks)

@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from platoon_osm.errors import NetworkError
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.sources.graphs.exchange import from_networkx, to_geodataframes, to_networkx
+from platoon_osm.sources.graphs.exchange import from_networkx, to_networkx
+from platoon_osm.sources.graphs.geodataframes import to_geodataframes
 from platoon_osm.sources.graphs.graph_values import flag, joined, number, parts
 
 PER_EDGE = ("tail", "head", "length_m", "speed_mps", "road_class", "toll", "inferred", "way_id")
