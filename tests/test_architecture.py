@@ -8,6 +8,8 @@ from graphlib import CycleError, TopologicalSorter
 import pytest
 from places import ROOT
 
+from platoon_osm.cli.verbs import VERBS
+
 PACKAGE = ROOT / "platoon_osm"
 
 WALLS = {
@@ -21,6 +23,7 @@ WALLS = {
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "planning": ("timing",),
     "report": ("markup", "drawing", "document", "charts", "exports", "pages"),
+    "cli": ("verbs",),
 }  # fmt: skip
 """The order of the parts of each folder that has folders inside: each may import those to its left.
 
@@ -179,17 +182,18 @@ def test_importing_the_package_loads_nothing_heavy():
     assert done.stdout.strip() == "[]"
 
 
-def test_help_loads_nothing_heavy():
+@pytest.mark.parametrize("verb", ["", *VERBS])
+def test_help_loads_nothing_heavy(verb):
     code = (
         "import sys; from platoon_osm.cli import main\n"
-        "try: main(['--help'])\n"
-        f"except SystemExit: print('loaded', [m for m in {HEAVY} if m in sys.modules])"
+        f"status = main([*{verb.split()}, '--help'])\n"
+        f"print('loaded', status, [m for m in {HEAVY} if m in sys.modules])"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True,
         cwd=PACKAGE.parent, timeout=60,
     )  # fmt: skip
-    assert done.stdout.splitlines()[-1] == "loaded []"
+    assert done.stdout.splitlines()[-1] == "loaded 0 []"
 
 
 def test_every_name_at_the_front_door_exists():

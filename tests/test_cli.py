@@ -106,7 +106,7 @@ def test_help_teaches(verb, capsys):
     assert run(*([verb] if verb else []), "--help") == 0
     out, err = capsys.readouterr()
     assert err == ""
-    assert f"usage: platoon-osm{' ' + verb if verb else ''}" in out
+    assert f"Usage: platoon-osm{' ' + verb if verb else ''}" in out
     if not verb:
         assert all(known in out for known in VERBS)
         assert "platoon-osm plan corridor.toml --html plan.html" in out

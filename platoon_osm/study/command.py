@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-import argparse
 import re
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 from ..atomic_file import whole_file
 from ..errors import ScenarioError
 from .monte_carlo import StudyResult, run_study
+from .options import StudyOptions
 from .parts import make_folder
 from .settings import Study
 
@@ -21,8 +22,18 @@ __all__ = ["run_command", "studies_of", "write_results"]
 MARKS = "<!-- study:begin -->", "<!-- study:end -->"
 
 
-def studies_of(options: argparse.Namespace) -> list[Study]:
+def studies_of(options: StudyOptions) -> list[Study]:
     """Return one study for each reading of how vehicles are placed.
+
+    Parameters
+    ----------
+    options : StudyOptions
+        What was chosen.
+
+    Returns
+    -------
+    list of Study
+        By spawning, then by diameter; by diameter alone on a real network.
 
     Raises
     ------
@@ -66,7 +77,7 @@ def studies_of(options: argparse.Namespace) -> list[Study]:
     ]  # fmt: skip
 
 
-def _road_trips(options: argparse.Namespace, diameters: Sequence[float]) -> Iterator[Any]:
+def _road_trips(options: StudyOptions, diameters: Sequence[float]) -> Iterator[Any]:
     from ..sources.load import load_network
     from .road_trips import RoadTrips, read_flows
 
@@ -90,13 +101,26 @@ def _km(option: str, text: str) -> float:
         raise ScenarioError(f"{option} {text!r}: give numbers of km, with commas") from None
 
 
-def run_command(options: argparse.Namespace, say: Callable[[str], None]) -> None:
+def run_command(
+    options: StudyOptions,
+    say: Callable[[str], None],
+    counted: Callable[[int], AbstractContextManager[Callable[[int], None]]],
+) -> None:
     """Run all readings, write everything, and say what came out.
 
     Parameters
     ----------
-    options : of `options.add_study_options`.
-    say : prints a line.
+    options : StudyOptions
+        What was chosen.
+    say : callable
+        Prints a line.
+    counted : callable
+        Shows how many of so many networks are done: a context that gives a function to count with.
+
+    Raises
+    ------
+    ScenarioError
+        An option out of range, or a file where the folder should be.
     """
     studies = studies_of(options)
     if options.table is not None:
@@ -107,7 +131,8 @@ def run_command(options: argparse.Namespace, say: Callable[[str], None]) -> None
         raise ScenarioError(f"{options.output}: is a file; name a folder")
     make_folder(options.output)
     results = []
-    with _workers(options.workers) as executor, _progress(studies) as advance:
+    networks = sum(study.runs for study in studies)
+    with _workers(options.workers) as executor, counted(networks) as advance:
         for study in studies:
             folder = options.output / "runs"
             results.append(run_study(study, options.seed, executor, folder, advance))
@@ -126,9 +151,23 @@ def write_results(
 ) -> tuple[list[Path], str, str]:
     """Write figures, tables and report.
 
+    Parameters
+    ----------
+    results : sequence of StudyResult
+        Of all readings, the first of which the figures of costs show.
+    output : Path
+        Folder that exists.
+    command : str
+        What to type for the same numbers.
+
     Returns
     -------
-    written : paths; paragraph : the verdict; table : the comparison as Markdown.
+    written : list of Path
+        Files, in the order in which they were written.
+    paragraph : str
+        The verdict.
+    table : str
+        The comparison as Markdown.
     """
     from . import figures, tables
     from .comparison import compare, network_label, verdict
@@ -193,17 +232,14 @@ def _credit(results: Sequence[StudyResult]) -> str:
     return f" Roads: {'; '.join(sources)}." if sources else ""
 
 
-def _command(options: argparse.Namespace) -> str:
+def _command(options: StudyOptions) -> str:
     """Return what to type for the same numbers; paths and workers do not change them."""
-    from .options import add_study_options
-
-    parser = argparse.ArgumentParser()
-    add_study_options(parser)
     typed = ["platoon-osm study"]
-    for name, value in sorted(vars(options).items()):
-        if name in ("output", "workers", "table", "run"):
+    for field in sorted(fields(options), key=lambda field: field.name):
+        name, value = field.name, getattr(options, field.name)
+        if name in ("output", "workers", "table"):
             continue
-        if value == parser.get_default(name) and name not in ("runs", "seed"):
+        if value == field.default and name not in ("runs", "seed"):
             continue
         shown = Path(value).name if isinstance(value, Path) or name == "network" else value
         typed.append(f"--{name.replace('_', '-')}" + ("" if value is True else f" {shown}"))
@@ -228,23 +264,6 @@ def _workers(count: int | None) -> Iterator[Executor | None]:
         pool.shutdown(wait=False, cancel_futures=True)
         raise
     pool.shutdown()
-
-
-@contextmanager
-def _progress(studies: Sequence[Study]) -> Iterator[Callable[[int], None]]:
-    """Show how many runs are done and how long the rest will take."""
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
-    from rich.progress import TimeRemainingColumn as TimeLeft
-
-    console = Console(stderr=True)
-    bar = Progress(
-        TextColumn("networks"), BarColumn(), MofNCompleteColumn(), TextColumn("time left"),
-        TimeLeft(), console=console, transient=True, disable=not console.is_terminal,
-    )  # fmt: skip
-    with bar:
-        task = bar.add_task("", total=sum(study.runs for study in studies))
-        yield lambda count: bar.update(task, advance=count)
 
 
 def _marked(path: Path) -> str:

@@ -1,61 +1,99 @@
-"""The options of `platoon-osm study`; nothing heavy is loaded to show them."""
+"""What may be chosen in a study, as a user types it; nothing heavy is loaded to show it."""
 
 from __future__ import annotations
 
-import argparse
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
-__all__ = ["DESCRIPTION", "EXAMPLES", "add_study_options"]
-
-DESCRIPTION = """Repeat the paper's Monte Carlo and put every number it prints beside ours, under
-each reading of what it leaves open. Writes four figures (PNG, SVG, CSV), results.parquet,
-comparison.csv and report.html. A study that was interrupted goes on where it stopped."""
-
-EXAMPLES = """examples:
-  platoon-osm study --runs 100 --seed 0 -o out/study
-  platoon-osm study --method dijkstra --diameter-km 1 --spawning points -o out/quick
-  platoon-osm study --network italy-motorways --diameter-km 200 --min-route-km 400 -o out/italy
-  platoon-osm study --network italy-motorways --flows IT/traffic.csv -o out/italy-flows
-  platoon-osm study --network NL/graph.graphml --flows NL/traffic.csv --min-route-km 150 -o out/nl
-"""
+__all__ = ["StudyOptions"]
 
 
-def add_study_options(parser: argparse.ArgumentParser) -> None:
-    """Add all options to a parser."""
-    parser.description, parser.epilog = DESCRIPTION, EXAMPLES
-    parser.formatter_class = argparse.RawDescriptionHelpFormatter
-    add = parser.add_argument
-    add("-o", "--output", type=Path, default=Path("out/study"), help="folder (default out/study)")
-    add("--runs", type=int, default=100, help="networks drawn for each reading (default 100)")
-    add("--seed", type=int, default=0, help="of all draws (default 0)")
-    add("--workers", type=int, help="processes (default: one for each core)")
-    add("--method", default="dijkstra,astar", help="dijkstra, astar or both (default both)")
-    add("--mixing", default="printed,gain", help="printed, gain or both (default both)")
-    add("--case", default="C", help="A, B or C (default C)")
-    add("--diameter-km", help="spawn circles (default 1,200,400,600; 200 on a real network)")
-    add("--spawning", default="points,nodes", help="points, nodes or both (default both)")
-    add("--vehicles", type=int, default=10, help="N_v, with the master (default 10)")
-    add("--min-route-km", type=float, default=500.0, help="minimum route (default 500)")
-    add("--grid", type=int, default=11, help="values of tau and of xi in 0 to 1 (default 11)")
-    group = parser.add_argument_group("random networks (Table 1)")
-    add = group.add_argument
-    add("--nodes", type=int, default=100)
-    add("--edges", type=int, default=500)
-    add("--dropout", type=float, default=0.2)
-    add("--area-km", type=float, default=1000.0, help="side of the square area (default 1000)")
-    add("--pruning", default="shortest", help="shortest (default) or random")
-    add("--directed", action="store_true", help="one-way edges")
-    add("--connected", default="whole", help="whole (default) or part")
-    add("--access-nodes", type=int, default=3, help="nodes a spawn point leads to (default 3)")
-    add("--route-length", default="network", help="network (default) or straight")
-    group = parser.add_argument_group("real networks")
-    add = group.add_argument
-    add("--network", help="a bundled map's name or a file; trips are drawn on it instead")
-    add("--flows", type=Path, help="traffic.csv of truck volumes, with segments.csv beside it")
-    add("--classes", default="motorway,motorway_link", help="highway values to load, with commas")
-    add("--country", help="whose truck speed limit applies")
-    add("--infer-links", action="store_true", help="add likely connectors the map lacks")
-    parser.add_argument(
-        "--table", type=Path,
-        help="Markdown file in which to renew the table between <!-- study:begin --> and end",
-    )  # fmt: skip
+@dataclass(frozen=True, slots=True)
+class StudyOptions:
+    """The options of `platoon-osm study`, with their defaults.
+
+    Attributes
+    ----------
+    output : Path
+        Folder to write into.
+    runs : int
+        Networks drawn for each reading of the paper, 1 or more.
+    seed : int
+        Of all draws, 0 or more.
+    workers : int or None
+        Processes; None is one for each core.
+    method : str
+        "dijkstra", "astar" or both with a comma between.
+    mixing : str
+        "printed", "gain" or both: readings of eq. 13.
+    case : str
+        "A", "B" or "C".
+    diameter_km : str or None
+        Diameters of the spawn circles [km], with commas; None is 1, 200, 400 and 600 on random
+        networks and 200 on a real one.
+    spawning : str
+        "points", "nodes" or both.
+    vehicles : int
+        N_v, with the master.
+    min_route_km : float
+        Length of the shortest route that is drawn [km].
+    grid : int
+        Values of tau and of xi in [0, 1], 1 or more.
+    table : Path or None
+        Markdown file in which the table between the marks is renewed.
+    nodes, edges : int
+        Of a random network.
+    dropout : float
+        Probability with which each edge left is dropped, [0, 1).
+    area_km : float
+        Side of the square in which nodes are drawn [km].
+    pruning : {"shortest", "random"}
+        Which edges of the complete graph are kept.
+    directed : bool
+        Whether edges are one-way.
+    connected : {"whole", "part"}
+        What must be connected: the whole network, or the part on which trips are drawn.
+    access_nodes : int
+        Nodes that a spawn point leads to.
+    route_length : {"network", "straight"}
+        What the minimum route is compared with: the shortest route, or the straight line.
+    network : str or None
+        A bundled map's name or a file on which trips are drawn instead.
+    flows : Path or None
+        traffic.csv of truck volumes, with segments.csv beside it.
+    classes : str
+        Values of `highway` to load, with commas.
+    country : str or None
+        Whose speed limit for trucks applies.
+    infer_links : bool
+        Whether likely connectors are added that the map lacks.
+    """
+
+    output: Path = Path("out/study")
+    runs: int = 100
+    seed: int = 0
+    workers: int | None = None
+    method: str = "dijkstra,astar"
+    mixing: str = "printed,gain"
+    case: str = "C"
+    diameter_km: str | None = None
+    spawning: str = "points,nodes"
+    vehicles: int = 10
+    min_route_km: float = 500.0
+    grid: int = 11
+    table: Path | None = None
+    nodes: int = 100
+    edges: int = 500
+    dropout: float = 0.2
+    area_km: float = 1000.0
+    pruning: Literal["shortest", "random"] = "shortest"
+    directed: bool = False
+    connected: Literal["whole", "part"] = "whole"
+    access_nodes: int = 3
+    route_length: Literal["network", "straight"] = "network"
+    network: str | None = None
+    flows: Path | None = None
+    classes: str = "motorway,motorway_link"
+    country: str | None = None
+    infer_links: bool = False

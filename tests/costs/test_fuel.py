@@ -54,8 +54,19 @@ def test_a_model_of_ones_own_passes_through():
 
 @pytest.mark.parametrize("name", ["nacf", "", None, ["nrel"], 18])
 def test_unknown_preset_lists_the_known(name):
-    with pytest.raises(ScenarioError, match=r"unknown; use one of seed_18, .*eddi$"):
+    near = r"did you mean 'nacfe'\? " if name == "nacf" else ""
+    with pytest.raises(ScenarioError, match=rf"unknown; {near}use one of seed_18, .*eddi$"):
         fuel_saving(name)
+
+
+def test_a_table_of_ones_own_is_found_by_its_name():
+    FUEL_SAVINGS.add(THREE)
+    try:
+        assert fuel_saving("three") is FUEL_SAVINGS["three"] is THREE
+    finally:
+        FUEL_SAVINGS.remove("three")
+    with pytest.raises(ScenarioError, match="'three' is unknown"):
+        fuel_saving("three")
 
 
 @pytest.mark.parametrize("position", ["leader", "middle", "last"])

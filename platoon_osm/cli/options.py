@@ -1,0 +1,154 @@
+"""What verbs have in common: kinds of values, options of roads and trucks, help in sections."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from ..errors import ScenarioError
+
+__all__ = [
+    "FILE",
+    "SectionOption",
+    "Sections",
+    "classes_option",
+    "network_options",
+    "new_file",
+    "output_option",
+    "truck_options",
+]
+
+Run = TypeVar("Run", bound=Callable[..., Any])
+
+FILE = click.Path(path_type=Path)
+"""A path of any kind; whoever opens it says what is wrong with it."""
+
+
+def new_file(text: str) -> Path:
+    """Read the name of a file to write, and refuse it before any work is done for it.
+
+    Parameters
+    ----------
+    text : str
+        What was typed.
+
+    Returns
+    -------
+    Path
+        The same.
+
+    Raises
+    ------
+    ScenarioError
+        Its folder does not exist, or it is a folder itself.
+    """
+    path = Path(text)
+    if not path.parent.is_dir():
+        raise ScenarioError(f"{path}: its folder does not exist; make it first")
+    if path.is_dir():
+        raise ScenarioError(f"{path}: is a folder; give the name of a file to write")
+    return path
+
+
+def _classes(text: str) -> tuple[str, ...]:
+    classes = tuple(part.strip() for part in text.split(",") if part.strip())
+    if not classes:
+        raise ScenarioError("--classes: empty; give highway values such as motorway,motorway_link")
+    return classes
+
+
+output_option = partial(
+    click.option, "-o", "--output", type=new_file, metavar="FILE", required=True
+)
+classes_option = click.option(
+    "--classes",
+    type=_classes,
+    default="motorway,motorway_link",
+    metavar="TEXT",
+    help="Highway values to load, with commas.",
+)
+_country = click.option("--country", help="Whose truck speed limit applies: IT, DE, US-CA, ...")
+_limiter = click.option(
+    "--limiter", "limiter_kmh", default=90.0, help="Speed limiter of the trucks [km/h]."
+)
+_infer_links = click.option(
+    "--infer-links",
+    is_flag=True,
+    help="Add likely connectors where the map lacks ramps; they are marked inferred.",
+)
+
+
+def truck_options(verb: Run) -> Run:
+    """Add the options of `TruckRules` to a verb, which takes them by the names they have there.
+
+    Parameters
+    ----------
+    verb : callable
+        What the verb does.
+
+    Returns
+    -------
+    callable
+        The same, with the options.
+    """
+    return _country(_limiter(verb))
+
+
+def network_options(verb: Run) -> Run:
+    """Add the options of `load_network` to a verb, which takes them by the names they have there.
+
+    Parameters
+    ----------
+    verb : callable
+        What the verb does.
+
+    Returns
+    -------
+    callable
+        The same, with the options.
+    """
+    return classes_option(truck_options(_infer_links(verb)))
+
+
+class SectionOption(click.Option):
+    """An option of a `Sections` verb that stands under a heading of its own.
+
+    Parameters
+    ----------
+    names : sequence of str
+        What it is called, as for `click.Option`.
+    section : str
+        The heading.
+    **more : Any
+        Its type, default and help, as for `click.Option`.
+    """
+
+    def __init__(self, names: Sequence[str], section: str, **more: Any) -> None:
+        super().__init__(names, **more)
+        self.section = section
+
+
+class Sections(click.Command):
+    """A verb whose help shows options in sections."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Write the options, those of one section together.
+
+        Parameters
+        ----------
+        ctx : click.Context
+            Of this verb.
+        formatter : click.HelpFormatter
+            Takes the text.
+        """
+        sections: dict[str, list[tuple[str, str]]] = {}
+        for parameter in self.get_params(ctx):
+            if isinstance(parameter, click.Option) and (row := parameter.get_help_record(ctx)):
+                sections.setdefault(getattr(parameter, "section", "Options"), []).append(row)
+        for title, rows in sections.items():
+            with formatter.section(title):
+                formatter.write_dl(rows)

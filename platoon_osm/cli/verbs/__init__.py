@@ -1,0 +1,9 @@
+"""The verbs of `platoon-osm`, one file each; a file's `verb` is the click command.
+
+What a verb needs for its work is imported when it works, so that help costs nothing.
+"""
+
+__all__ = ["VERBS"]
+
+VERBS = ("demo", "maps", "prepare", "download", "plan", "compare", "study", "warmup")
+"""In the order in which the help lists them."""

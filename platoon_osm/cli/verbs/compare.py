@@ -1,0 +1,76 @@
+"""`platoon-osm compare`: a scenario planned in several ways, side by side on one page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from ...errors import ScenarioError
+from ..options import FILE, output_option
+from ..progress import steps
+
+if TYPE_CHECKING:
+    from ...planning.scenario import Scenario
+
+__all__ = ["verb"]
+
+
+@click.command(
+    "compare",
+    short_help="plan a scenario in several ways, side by side",
+    epilog="""\b
+Examples:
+  platoon-osm compare corridor.toml --cases A,B,C -o compare.html
+  platoon-osm compare cautious.toml hopeful.toml -o compare.html
+""",
+)
+@click.argument("scenario", type=FILE, nargs=-1, required=True)
+@click.option("--cases", help="Such as A,B,C: each scenario in each of these cases.")
+@output_option(help="page.html to write.")
+def verb(scenario: tuple[Path, ...], cases: str | None, output: Path) -> None:
+    """Plan each SCENARIO, in one case or several, and write a page that shows them side by side.
+
+    Several scenarios must name one network; they may differ in anything else, as in [costs].
+    """
+    from ...planning.scenario import read_scenario
+    from ...report.pages.comparison import write_comparison
+    from ...sources.load import load_network
+
+    scenarios = [read_scenario(path) for path in scenario]
+    first = scenarios[0]
+    for other in scenarios[1:]:
+        if other.network != first.network:
+            raise ScenarioError(
+                f"{other.file}: names another network than {first.file}; compare plans on one"
+            )
+    variants = [variant for each in scenarios for variant in _in_cases(each, cases)]
+    with steps(2 + len(variants)) as begin:
+        begin(f"loading {first.network['source']}")
+        net = load_network(**first.network)
+        plans = []
+        for title, each in variants:
+            begin(f"planning {title}")
+            plans.append(each.plan(net))
+        begin(f"writing {output}")
+        titles = [title for title, _ in variants]
+        write_comparison(plans, net, output, titles=titles, title=first.title)
+    for title, plan in zip(titles, plans, strict=True):
+        click.echo(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
+    click.echo(f"\nWritten: {output}")
+
+
+def _in_cases(scenario: Scenario, cases: str | None) -> Iterator[tuple[str, Scenario]]:
+    """Yield a scenario in each of some cases, with a title; as it stands if none are given."""
+    if cases is None:
+        yield scenario.title, scenario
+        return
+    names = [part.strip() for part in cases.split(",") if part.strip()]
+    if not names:
+        raise ScenarioError("--cases: empty; give cases such as A,B,C")
+    for case in names:
+        options = {**scenario.options, "case": case}
+        yield f"{scenario.title}, case {case}", replace(scenario, options=options)

@@ -1,0 +1,30 @@
+"""`platoon-osm maps`: which maps there are, and what one holds."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from ..options import network_options
+
+__all__ = ["verb"]
+
+
+@click.command("maps", short_help="list the bundled maps, or report on one map")
+@click.argument("source", required=False)
+@network_options
+def verb(source: str | None, **loading: Any) -> None:
+    """List the bundled maps; or load SOURCE, and report what was kept, dropped and assumed.
+
+    SOURCE is a bundled map's name or a file to report on.
+    """
+    from ...sources.catalog import BUNDLED_MAPS
+    from ...sources.load import load_network
+
+    if source is None:
+        for bundled in BUNDLED_MAPS:
+            click.echo(f"{bundled.name}: {bundled.about} ({bundled.licence})")
+        return
+    net = load_network(source, **loading)
+    click.echo(f"{repr(net)[1:-1]}\n{net.report()}")
