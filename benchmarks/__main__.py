@@ -1,6 +1,6 @@
 """Run all benchmarks: `python -m benchmarks`."""
 
-from platoon_osm_x import california, engines, reach, study
+from benchmarks import california, engines, reach, study
 
 california.main()
 reach.main()

@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from platoon_osm_x.interleaved import compare
-from platoon_osm_x.sections import ROOT, markdown_table, write_section
+
+from benchmarks.interleaved import compare
+from benchmarks.sections import ROOT, markdown_table, write_section
 
 EXTRACT = ROOT.parent / "shared" / "data" / "osm" / "california-motorway.osm.pbf"
 MEMBERS = 100

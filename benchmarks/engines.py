@@ -21,13 +21,13 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from platoon_osm_x.interleaved import Comparison, compare
-from platoon_osm_x.peers import RoutingKit, installed, one_to_all_peers
-from platoon_osm_x.road_like import road_like, shuffled
-from platoon_osm_x.sections import ROOT, write_section
 from scipy.sparse import block_array, csr_array
 from scipy.sparse.csgraph import dijkstra
 
+from benchmarks.interleaved import Comparison, compare
+from benchmarks.peers import RoutingKit, installed, one_to_all_peers
+from benchmarks.road_like import road_like, shuffled
+from benchmarks.sections import ROOT, write_section
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.search import engine as engines
 from platoon_osm.search.dijkstra import ReferenceEngine
@@ -369,8 +369,8 @@ MEMORY = """
 import sys
 from pathlib import Path
 import numpy as np
-from platoon_osm.network.store import open_network
-from platoon_osm.network.hierarchy.engine import HierarchyEngine
+from platoon_osm.network.saved.store import open_network
+from platoon_osm.search.hierarchy.engine import HierarchyEngine
 net = open_network(sys.argv[1])
 engine = HierarchyEngine(net, net.length_m)
 tree = engine.tree(0)

@@ -10,8 +10,9 @@ from __future__ import annotations
 import sys
 
 import numpy as np
-from platoon_osm_x.california import EXTRACT, SACRAMENTO, SAN_DIEGO
-from platoon_osm_x.sections import markdown_table, write_section
+
+from benchmarks.california import EXTRACT, SACRAMENTO, SAN_DIEGO
+from benchmarks.sections import markdown_table, write_section
 
 REACHES_M = (100.0, 150.0, 200.0, 300.0)
 LOS_ANGELES, SAN_FRANCISCO = (-118.243, 34.052), (-122.41, 37.775)

@@ -14,9 +14,9 @@ from typing import Any
 
 import networkx
 import numpy as np
-from platoon_osm_x.interleaved import compare
-from platoon_osm_x.sections import markdown_table, write_section
 
+from benchmarks.interleaved import compare
+from benchmarks.sections import markdown_table, write_section
 from platoon_osm.costs.weights import PaperCosts
 from platoon_osm.study.monte_carlo import run_study
 from platoon_osm.study.one_run import plan_draw

@@ -4,53 +4,30 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..network.road_network import RoadNetwork
-from .arguments import checked_labels, checked_node, checked_nodes, checked_weight, no_route
+from .arguments import (
+    checked_along,
+    checked_labels,
+    checked_network,
+    checked_node,
+    checked_nodes,
+    checked_pairs,
+    checked_positions,
+    checked_two,
+    checked_weight,
+)  # fmt: skip
 from .joining import Found, Positions, best_pairs, entry_exit_costs, only_at
+from .least_paths import LeastCosts
 
 __all__ = ["ReferenceEngine", "Tree", "astar"]
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Tree:
-    """Least costs between one place and all nodes, and the edges that give them.
-
-    Attributes
-    ----------
-    dist : (n,) cost from the source (forward) or to the target (backward); inf if unreachable.
-    edge : (n,) edge by which the path enters (forward) or leaves (backward) each node; -1 none.
-    forward : direction of the search.
-    """
-
-    net: RoadNetwork
-    dist: Floats
-    edge: Edges
-    forward: bool
-
-    def path(self, node: int) -> Edges:
-        """Return edge ids, in driving order, of the least-cost path to (or from) a node.
-
-        Raises
-        ------
-        NoRouteError
-            If the node cannot be reached.
-        """
-        if not np.isfinite(self.dist[node]):
-            raise no_route(self.net, node, self.forward)
-        step = self.net.tail if self.forward else self.net.head
-        edges = []
-        while (edge := int(self.edge[node])) >= 0:
-            edges.append(edge)
-            node = int(step[edge])
-        return np.array(edges[::-1] if self.forward else edges, np.int64)
+Tree = LeastCosts
 
 
 class ReferenceEngine:
@@ -61,11 +38,21 @@ class ReferenceEngine:
 
     Parameters
     ----------
-    weight : (m,) costs, not negative and not NaN.
+    net : RoadNetwork
+        The network searched.
+    weight : array_like of float, (m,)
+        Cost of each edge, 0 or more; inf where closed.
+
+    Attributes
+    ----------
+    net : RoadNetwork
+        The network searched.
+    weight : ndarray of float, (m,)
+        A copy of the costs.
 
     Raises
     ------
-    ValueError
+    SearchError
         A weight that is negative, NaN or of the wrong shape.
     """
 
@@ -74,31 +61,42 @@ class ReferenceEngine:
     def __init__(self, net: RoadNetwork, weight: ArrayLike) -> None:
         from scipy.sparse import csr_array
 
-        values = checked_weight(net, weight)
-        self.net = net
-        self.weight = values.copy()
+        self.net = checked_network(net)
+        # A copy, for paths are chosen under the weight that the costs were found with.
+        values = checked_weight(net, weight).copy()
+        self.weight = values
         open_edges = np.flatnonzero(np.isfinite(values))
         key = net.tail[open_edges].astype(np.int64) * net.n + net.head[open_edges]
-        order = np.lexsort((open_edges, values[open_edges], key))
+        order = np.lexsort((values[open_edges], key))
         key = key[order]
         lightest = np.ones(len(key), bool)
         lightest[1:] = key[1:] != key[:-1]
-        self._edge = open_edges[order][lightest]
-        self._key = key[lightest]
+        edge = open_edges[order][lightest]
         shape = (net.n, net.n)
-        tails, heads = net.tail[self._edge], net.head[self._edge]
+        tails, heads = net.tail[edge], net.head[edge]
         first = np.zeros(net.n + 1, np.int32)
         np.cumsum(np.bincount(tails, minlength=net.n), out=first[1:])
-        self._forward = csr_array((values[self._edge], heads, first), shape=shape)
+        self._forward = csr_array((values[edge], heads, first), shape=shape)
         by_head = np.lexsort((tails, heads))
         first_in = np.zeros(net.n + 1, np.int32)
         np.cumsum(np.bincount(heads, minlength=net.n), out=first_in[1:])
-        self._backward = csr_array(
-            (values[self._edge][by_head], tails[by_head], first_in), shape=shape
-        )
+        self._backward = csr_array((values[edge][by_head], tails[by_head], first_in), shape=shape)
 
     def distances(self, nodes: ArrayLike, forward: bool = True) -> Floats:
-        """Return costs (k, n) from each of k nodes to all, or from all to each if not forward."""
+        """Return least costs from some nodes to all, or from all to these.
+
+        Parameters
+        ----------
+        nodes : array_like of int, (k,)
+            Nodes searched from.
+        forward : bool
+            Whether paths start at the nodes; else they end there.
+
+        Returns
+        -------
+        ndarray of float, (k, n)
+            Costs; inf where there is no way.
+        """
         from scipy.sparse.csgraph import dijkstra
 
         wanted = checked_nodes(self.net, nodes)
@@ -107,37 +105,64 @@ class ReferenceEngine:
         distinct, back = np.unique(wanted, return_inverse=True)
         graph = self._forward if forward else self._backward
         found: Floats = np.atleast_2d(dijkstra(graph, indices=distinct))
-        return found[back]
+        return found if len(distinct) == 1 == len(wanted) else found[back]
 
-    def tree(self, node: int, forward: bool = True) -> Tree:
-        """Return the tree of least-cost paths from a node, or to it if not forward."""
-        from scipy.sparse.csgraph import dijkstra
-
-        start = checked_node(self.net, node)
-        graph = self._forward if forward else self._backward
-        dist, before = dijkstra(graph, True, np.array(start), True)
-        return Tree(self.net, dist, self._edges_of(before, forward), forward)
-
-    def trees(self, nodes: ArrayLike, forward: bool = True) -> list[Tree]:
-        """Return the trees of several nodes."""
-        return [self.tree(node, forward) for node in checked_nodes(self.net, nodes).tolist()]
-
-    def seeded(self, labels: ArrayLike) -> Tree:
-        """Search forward from all nodes at once, node x starting at cost `labels[x]`.
+    def tree(self, node: int, forward: bool = True) -> LeastCosts:
+        """Return least costs from a node to all, or to it if not forward, and their paths.
 
         Parameters
         ----------
-        labels : (n,) starting costs; inf where no path may start.
+        node : int
+            Node searched from.
+        forward : bool
+            Whether paths start at the node; else they end there.
 
         Returns
         -------
-        Tree
-            `edge` is -1 where the best path starts at the node itself.
+        LeastCosts
+            Costs of all nodes; paths are found when they are asked for.
+        """
+        return self.trees([checked_node(self.net, node)], forward)[0]
+
+    def trees(self, nodes: ArrayLike, forward: bool = True) -> list[LeastCosts]:
+        """Return the trees of several nodes.
+
+        Parameters
+        ----------
+        nodes : array_like of int, (k,)
+            Nodes searched from.
+        forward : bool
+            Whether paths start at the nodes; else they end there.
+
+        Returns
+        -------
+        list of LeastCosts
+            One a node.
+        """
+        wanted = checked_nodes(self.net, nodes)
+        rows = self.distances(wanted, forward)
+        return [
+            LeastCosts(self.net, self.weight, row, node, forward=bool(forward))
+            for node, row in zip(wanted.tolist(), rows, strict=True)
+        ]
+
+    def seeded(self, labels: ArrayLike) -> LeastCosts:
+        """Search forward from all nodes at once, each starting at a cost of its own.
+
+        Parameters
+        ----------
+        labels : array_like of float, (n,)
+            Starting costs; inf where no path may start.
+
+        Returns
+        -------
+        LeastCosts
+            Costs of all nodes; a path is empty where it is best to start at the node itself.
         """
         from scipy.sparse import csr_array
         from scipy.sparse.csgraph import dijkstra
 
-        seeds = checked_labels(self.net, labels)
+        seeds = checked_labels(self.net, labels).copy()
         n = self.net.n
         starts = np.flatnonzero(np.isfinite(seeds))
         # One extra node with an edge of the label's cost to every start makes it one search.
@@ -149,10 +174,8 @@ class ReferenceEngine:
             ),
             shape=(n + 1, n + 1),
         )
-        dist, before = dijkstra(graph, True, np.array(n), True)
-        before = before[:n].copy()
-        before[before == n] = -1
-        return Tree(self.net, dist[:n], self._edges_of(before, True), True)
+        dist: Floats = dijkstra(graph, indices=np.array(n))
+        return LeastCosts(self.net, self.weight, dist[:n], labels=(seeds,))
 
     def shared_stretch(
         self,
@@ -161,41 +184,93 @@ class ReferenceEngine:
         onward: Sequence[Floats],
         limit: float,
         slack: float = 0.0,
-    ) -> Tree:
-        """Return the least costs of two vehicles that meet, and drive together, up to each node.
+    ) -> LeastCosts:
+        """Return least costs of two vehicles that meet, and drive together, up to each node.
 
         Parameters
         ----------
-        pair : (m,) cost of both together.
-        there, onward : two arrays (n,) each: costs alone, under this engine's weight, from the
-            origins and to the destinations.
-        limit, slack : costs are exact at every node that a plan passes or parts at which costs at
-            most `limit`, and at most `slack` more than the best; elsewhere they may be inf.
+        pair : array_like of float, (m,)
+            Cost of each edge for both together.
+        there : sequence of array_like of float, (n,)
+            Of either vehicle the costs alone, under this engine's weight, from its origin.
+        onward : sequence of array_like of float, (n,)
+            Of either vehicle the costs alone to its destination.
+        limit : float
+            Costs are exact at every node that a plan passes or parts at which costs at most this;
+            elsewhere they may be inf.
+        slack : float
+            The same of plans that cost at most so much more than the best.
+
+        Returns
+        -------
+        LeastCosts
+            Costs of both; a path is what they drive together.
         """
-        del onward, limit, slack  # this search finds everything, whatever is needed
-        return ReferenceEngine(self.net, pair).seeded(there[0] + there[1])
+        checked_two(self.net, onward, "onward")
+        del limit, slack  # this search finds everything, whatever is needed
+        one, other = checked_two(self.net, there, "there")
+        return ReferenceEngine(self.net, checked_weight(self.net, pair, "pair")).seeded(one + other)
 
     def many_to_many(self, sources: ArrayLike, targets: ArrayLike) -> Floats:
-        """Return least costs (S, T) between sources and targets, searched from the fewer."""
+        """Return least costs between sources and targets, searched from the fewer.
+
+        Parameters
+        ----------
+        sources : array_like of int, (S,)
+            Nodes where paths start.
+        targets : array_like of int, (T,)
+            Nodes where they end.
+
+        Returns
+        -------
+        ndarray of float, (S, T)
+            Costs; inf where there is no way.
+        """
         start, end = checked_nodes(self.net, sources), checked_nodes(self.net, targets)
         if len(start) <= len(end):
             return self.distances(start)[:, end]
         return self.distances(end, forward=False)[:, start].T
 
     def one_to_many(self, source: int, targets: ArrayLike) -> Floats:
-        """Return least costs (T,) from a source to targets."""
-        row: Floats = self.distances(source)[0, checked_nodes(self.net, targets)]
+        """Return least costs from a source to targets.
+
+        Parameters
+        ----------
+        source : int
+            Node where paths start.
+        targets : array_like of int, (T,)
+            Nodes where they end.
+
+        Returns
+        -------
+        ndarray of float, (T,)
+            Costs; inf where there is no way.
+        """
+        start, end = checked_node(self.net, source), checked_nodes(self.net, targets)
+        row: Floats = self.distances(start)[0, end]
         return row
 
     def path(self, source: int, target: int) -> Edges:
-        """Return the edges of a least-cost path.
+        """Return the edges of the least-cost path, chosen as `least_paths` says.
+
+        Parameters
+        ----------
+        source : int
+            Node where the path starts.
+        target : int
+            Node where it ends.
+
+        Returns
+        -------
+        ndarray of int, (k,)
+            Edge ids in driving order.
 
         Raises
         ------
         NoRouteError
             If there is none.
         """
-        return self.tree(source).path(int(checked_nodes(self.net, target)[0]))
+        return self.tree(source).path(target)
 
     def best_on_route(
         self,
@@ -211,32 +286,41 @@ class ReferenceEngine:
 
         Parameters
         ----------
-        route : (K + 1,) nodes.
-        origins, destinations : (N,) nodes.
-        platoon, length_m : (K + 1,) platoon weight and metres along the route up to each node.
-        entries, exits : positions each member may use, as first (N + 1,) and positions; by
-            default all.
+        route : array_like of int, (K + 1,)
+            Nodes of the route.
+        origins : array_like of int, (N,)
+            Nodes where members start.
+        destinations : array_like of int, (N,)
+            Nodes where they go.
+        platoon : array_like of float, (K + 1,)
+            Platoon weight along the route up to each node.
+        length_m : array_like of float, (K + 1,)
+            Metres along the route up to each node.
+        entries : tuple of array_like of int, optional
+            Positions where each member may join, as first (N + 1,) and positions; by default all.
+        exits : tuple of array_like of int, optional
+            Positions where each member may leave, likewise.
 
         Returns
         -------
-        i, j : (N,) -1 where staying alone is cheaper.
-        cost, solo : (N,)
+        i : ndarray of int, (N,)
+            Positions where they join; -1 where staying alone is cheaper.
+        j : ndarray of int, (N,)
+            Positions where they leave; -1 likewise.
+        cost : ndarray of float, (N,)
+            What each pays.
+        solo : ndarray of float, (N,)
+            What each pays alone.
         """
-        start, end = checked_nodes(self.net, origins), checked_nodes(self.net, destinations)
-        entry, leave, solo = entry_exit_costs(self, checked_nodes(self.net, route), start, end)
-        i, j, cost = best_pairs(
-            only_at(entry, entries), only_at(leave, exits), platoon, length_m, solo
-        )
+        nodes = checked_nodes(self.net, route)
+        start, end = checked_pairs(self.net, origins, destinations)
+        along = checked_along(nodes, platoon, "platoon")
+        metres = checked_along(nodes, length_m, "length_m")
+        join = checked_positions(nodes, len(start), entries, "entries")
+        part = checked_positions(nodes, len(start), exits, "exits")
+        entry, leave, solo = entry_exit_costs(self, nodes, start, end)
+        i, j, cost = best_pairs(only_at(entry, join), only_at(leave, part), along, metres, solo)
         return i, j, cost, solo
-
-    def _edges_of(self, before: NDArray[np.int32], forward: bool) -> Edges:
-        nodes = np.arange(self.net.n, dtype=np.int64)
-        edges = np.full(self.net.n, -1, np.int64)
-        known = before >= 0
-        pairs = (before, nodes) if forward else (nodes, before)
-        key = pairs[0][known].astype(np.int64) * self.net.n + pairs[1][known]
-        edges[known] = self._edge[np.searchsorted(self._key, key)]
-        return edges
 
 
 def astar(
@@ -249,16 +333,32 @@ def astar(
 
     Parameters
     ----------
-    weight : (m,) costs, not negative.
-    heuristic : (n,) estimated cost from each node to the target.
+    net : RoadNetwork
+        The network searched.
+    weight : array_like of float, (m,)
+        Cost of each edge, 0 or more; inf where closed.
+    source : int
+        Node where the path starts.
+    target : int
+        Node where it ends.
+    heuristic : array_like of float, (n,)
+        Estimated cost from each node to the target.
 
     Returns
     -------
-    cost, edges
-        Cost inf and no edges if there is no route.
+    cost : float
+        What the route costs; inf if there is none.
+    edges : ndarray of int, (k,)
+        Edge ids in driving order.
+
+    Raises
+    ------
+    SearchError
+        A weight, node or heuristic that is none.
     """
-    costs = np.asarray(weight, np.float64)
-    estimate = np.asarray(heuristic, np.float64)
+    costs = checked_weight(checked_network(net), weight)
+    source, target = checked_node(net, source), checked_node(net, target)
+    estimate = checked_labels(net, heuristic, "estimate")
     best: dict[int, float] = {source: 0.0}
     entered: dict[int, int] = {}
     closed: set[int] = set()

@@ -37,7 +37,7 @@ class KeptTopology:
     """
 
     def __init__(self, net: RoadNetwork) -> None:
-        self.file: Path | None = getattr(net, "file", None) or net._kept.get("file")
+        self.file: Path | None = net.file
         self._made: tuple[Any, Any, Any] | None = None
 
     def of(self, net: RoadNetwork) -> Any | None:

@@ -10,25 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..network.road_network import RoadNetwork
 from .joining import Found, Positions
+from .least_paths import LeastCosts
 
 __all__ = ["Engine", "EngineName", "LeastCosts"]
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
 EngineName = Literal["auto", "reference", "hierarchy"]
-
-
-class LeastCosts(Protocol):
-    """Least costs (n,) between one place, or labelled nodes, and all nodes, and their paths."""
-
-    @property
-    def dist(self) -> Floats:
-        """Cost of each node (n,); inf if unreachable."""
-        ...
-
-    def path(self, node: int) -> Longs:
-        """Return edge ids in driving order; raise NoRouteError if there is no way."""
-        ...
 
 
 class Engine(Protocol):

@@ -2,9 +2,9 @@
 
 What depends on the network alone (`order`, `symbolic`, `ranks`) is built once and stored beside it
 (`storage`); what depends on a weight (`customization`) takes milliseconds; then `sweeps` answer for
-one source, `batches` for many, `selection` for some targets, `members` for a platoon's route, and
-`paths` say which roads. Importing any of these loads numba; nothing here is imported before the
-engine is chosen.
+one source, `batches` for many, `selection` for some targets and `members` for a platoon's route.
+Which roads lead there `least_paths` says, from the costs alone, as it does for the reference.
+Importing any of these loads numba; nothing here is imported before the engine is chosen.
 
 References
 ----------

@@ -3,99 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...errors import SearchError
 from ...network.road_network import RoadNetwork
-from ..arguments import checked_labels, checked_nodes, checked_weight, no_route
+from ..arguments import (
+    checked_along,
+    checked_labels,
+    checked_network,
+    checked_node,
+    checked_nodes,
+    checked_pairs,
+    checked_positions,
+    checked_two,
+    checked_weight,
+)  # fmt: skip
 from ..joining import Found, Positions
+from ..least_paths import LeastCosts
 from .customization import Metric, customize
 from .fused.members import best_on_route
 from .fused.selection import selected_table
-from .fused.shared_stretch import SharedStretch, shared_stretch
-from .paths import ascended, path_between, path_from_labels
+from .fused.shared_stretch import shared_stretch
 from .preparing.storage import topology_of
 from .runtime.threads import cores
 from .sweeping.batches import from_many
 from .sweeping.sweeps import from_labels, from_one
 
-__all__ = ["HierarchyEngine", "HierarchySeeded", "HierarchyTree"]
+__all__ = ["HierarchyEngine"]
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class HierarchyTree:
-    """Least costs between one place and all nodes; a path is found when it is asked for.
-
-    Attributes
-    ----------
-    dist : (n,) cost from the root (forward) or to it (backward); inf if unreachable.
-    """
-
-    engine: HierarchyEngine
-    root: int
-    dist: Floats
-    forward: bool
-
-    @property
-    def net(self) -> RoadNetwork:
-        """The network searched."""
-        return self.engine.net
-
-    def path(self, node: int) -> Edges:
-        """Return edge ids, in driving order, of the least-cost path to (or from) a node.
-
-        Raises
-        ------
-        NoRouteError
-            If the node cannot be reached.
-        """
-        ends = (self.root, node) if self.forward else (node, self.root)
-        edges = self.engine._path(*ends)
-        if edges is None:
-            raise no_route(self.net, node, self.forward)
-        return edges
-
-
-@dataclass(slots=True, eq=False)
-class HierarchySeeded:
-    """Least costs from labelled nodes to all; paths are found when they are asked for.
-
-    Attributes
-    ----------
-    dist : (n,) least label plus cost; inf if unreachable.
-    """
-
-    engine: HierarchyEngine
-    labels: Floats
-    dist: Floats
-    forward: bool = True
-    _climbed: tuple[Floats, NDArray[np.int32]] | None = field(default=None, repr=False)
-
-    @property
-    def net(self) -> RoadNetwork:
-        """The network searched."""
-        return self.engine.net
-
-    def path(self, node: int) -> Edges:
-        """Return edge ids, in driving order, of the best path to a node from any start.
-
-        Raises
-        ------
-        NoRouteError
-            If the node cannot be reached.
-        """
-        if not np.isfinite(self.dist[node]):
-            raise no_route(self.net, node, True)
-        if self._climbed is None:
-            self._climbed = ascended(self.engine.metric, self.labels)
-        return path_from_labels(
-            self.net, self.engine.weight, self.engine.metric, self._climbed, node
-        )
 
 
 class HierarchyEngine:
@@ -106,29 +45,59 @@ class HierarchyEngine:
 
     Parameters
     ----------
-    weight : (m,) costs, not negative and not NaN.
-    threads : cores to use; by default all. Results do not depend on it.
+    net : RoadNetwork
+        The network searched.
+    weight : array_like of float, (m,)
+        Cost of each edge, 0 or more; inf where closed.
+    threads : int, optional
+        Cores to use; by default all. Results do not depend on it.
+
+    Attributes
+    ----------
+    net : RoadNetwork
+        The network searched.
+    weight : ndarray of float, (m,)
+        A copy of the costs.
+    threads : int
+        Cores used.
+    metric : Metric
+        The costs of the arcs.
 
     Raises
     ------
-    ValueError
+    SearchError
         A weight that is negative, NaN or of the wrong shape.
     """
 
     name = "hierarchy"
 
     def __init__(self, net: RoadNetwork, weight: ArrayLike, threads: int | None = None) -> None:
-        # A copy, for paths are looked up under the weight that the arcs were made from.
+        self.net = checked_network(net)
+        # A copy, for paths are chosen under the weight that the arcs were made from.
         padded = np.empty(net.m + 1)
         padded[:-1] = checked_weight(net, weight)
         padded[-1] = np.inf
-        self.weight = padded[:-1]
-        self.net = net
+        self.weight: Floats = padded[:-1]
+        if threads is not None and (not isinstance(threads, int) or threads < 1):
+            raise SearchError(f"threads is {threads!r}; give 1 or more, or None for all cores")
         self.threads = cores() if threads is None else threads
         self.metric: Metric = customize(topology_of(net, self.threads), padded, self.threads)
 
     def distances(self, nodes: ArrayLike, forward: bool = True) -> Floats:
-        """Return costs (k, n) from each of k nodes to all, or from all to each if not forward."""
+        """Return least costs from some nodes to all, or from all to these.
+
+        Parameters
+        ----------
+        nodes : array_like of int, (k,)
+            Nodes searched from.
+        forward : bool
+            Whether paths start at the nodes; else they end there.
+
+        Returns
+        -------
+        ndarray of float, (k, n)
+            Costs; inf where there is no way.
+        """
         wanted = checked_nodes(self.net, nodes)
         if not len(wanted):
             return np.zeros((0, self.net.n))
@@ -136,56 +105,121 @@ class HierarchyEngine:
             return from_one(self.metric, int(wanted[0]), forward, self.threads)[None, :]
         return from_many(self.metric, wanted, forward, self.threads)
 
-    def tree(self, node: int, forward: bool = True) -> HierarchyTree:
-        """Return least costs from a node to all, or to it if not forward, with their paths."""
-        root = int(checked_nodes(self.net, node)[0])
-        dist = from_one(self.metric, root, forward, self.threads)
-        return HierarchyTree(self, root, dist, forward)
-
-    def trees(self, nodes: ArrayLike, forward: bool = True) -> list[HierarchyTree]:
-        """Return the trees of several nodes, searched together."""
-        wanted = checked_nodes(self.net, nodes).tolist()
-        rows = self.distances(wanted, forward)
-        return [
-            HierarchyTree(self, node, row, forward) for node, row in zip(wanted, rows, strict=True)
-        ]
-
-    def seeded(self, labels: ArrayLike) -> HierarchySeeded:
-        """Search forward from all nodes at once, node x starting at cost `labels[x]`.
+    def tree(self, node: int, forward: bool = True) -> LeastCosts:
+        """Return least costs from a node to all, or to it if not forward, and their paths.
 
         Parameters
         ----------
-        labels : (n,) starting costs; inf where no path may start.
+        node : int
+            Node searched from.
+        forward : bool
+            Whether paths start at the node; else they end there.
+
+        Returns
+        -------
+        LeastCosts
+            Costs of all nodes; paths are found when they are asked for.
         """
-        seeds = checked_labels(self.net, labels)
-        return HierarchySeeded(self, seeds, from_labels(self.metric, seeds, self.threads))
+        root = checked_node(self.net, node)
+        dist = from_one(self.metric, root, forward, self.threads)
+        return LeastCosts(self.net, self.weight, dist, root, forward=bool(forward))
+
+    def trees(self, nodes: ArrayLike, forward: bool = True) -> list[LeastCosts]:
+        """Return the trees of several nodes, searched together.
+
+        Parameters
+        ----------
+        nodes : array_like of int, (k,)
+            Nodes searched from.
+        forward : bool
+            Whether paths start at the nodes; else they end there.
+
+        Returns
+        -------
+        list of LeastCosts
+            One a node.
+        """
+        wanted = checked_nodes(self.net, nodes)
+        rows = self.distances(wanted, forward)
+        return [
+            LeastCosts(self.net, self.weight, row, node, forward=bool(forward))
+            for node, row in zip(wanted.tolist(), rows, strict=True)
+        ]
+
+    def seeded(self, labels: ArrayLike) -> LeastCosts:
+        """Search forward from all nodes at once, each starting at a cost of its own.
+
+        Parameters
+        ----------
+        labels : array_like of float, (n,)
+            Starting costs; inf where no path may start.
+
+        Returns
+        -------
+        LeastCosts
+            Costs of all nodes; a path is empty where it is best to start at the node itself.
+        """
+        seeds = checked_labels(self.net, labels).copy()
+        dist = from_labels(self.metric, seeds, self.threads)
+        return LeastCosts(self.net, self.weight, dist, labels=(seeds,))
 
     def many_to_many(self, sources: ArrayLike, targets: ArrayLike) -> Floats:
-        """Return least costs (S, T) between sources and targets; inf where there is no way."""
+        """Return least costs between sources and targets.
+
+        Parameters
+        ----------
+        sources : array_like of int, (S,)
+            Nodes where paths start.
+        targets : array_like of int, (T,)
+            Nodes where they end.
+
+        Returns
+        -------
+        ndarray of float, (S, T)
+            Costs; inf where there is no way.
+        """
         start, end = checked_nodes(self.net, sources), checked_nodes(self.net, targets)
         return selected_table(self.metric, start, end, True, self.threads)
 
     def one_to_many(self, source: int, targets: ArrayLike) -> Floats:
-        """Return least costs (T,) from a source to targets."""
-        row: Floats = self.many_to_many(source, targets)[0]
+        """Return least costs from a source to targets.
+
+        Parameters
+        ----------
+        source : int
+            Node where paths start.
+        targets : array_like of int, (T,)
+            Nodes where they end.
+
+        Returns
+        -------
+        ndarray of float, (T,)
+            Costs; inf where there is no way.
+        """
+        row: Floats = self.many_to_many(checked_node(self.net, source), targets)[0]
         return row
 
     def path(self, source: int, target: int) -> Edges:
-        """Return the edges of a least-cost path.
+        """Return the edges of the least-cost path, chosen as `least_paths` says.
+
+        Parameters
+        ----------
+        source : int
+            Node where the path starts.
+        target : int
+            Node where it ends.
+
+        Returns
+        -------
+        ndarray of int, (k,)
+            Edge ids in driving order.
 
         Raises
         ------
         NoRouteError
             If there is none.
         """
-        start, end = (int(checked_nodes(self.net, node)[0]) for node in (source, target))
-        edges = self._path(start, end)
-        if edges is None:
-            raise no_route(self.net, end, True)
-        return edges
-
-    def _path(self, source: int, target: int) -> Edges | None:
-        return path_between(self.net, self.weight, self.metric, source, target)
+        return self.tree(source).path(target)
 
     def shared_stretch(
         self,
@@ -194,13 +228,35 @@ class HierarchyEngine:
         onward: Sequence[Floats],
         limit: float,
         slack: float = 0.0,
-    ) -> SharedStretch | HierarchySeeded:
-        """Return the least costs of two that drive together; see `ReferenceEngine`."""
-        weight = checked_weight(self.net, pair)
-        found = shared_stretch(self.net, self.weight, weight, there, onward, limit, slack)
-        if found is not None:
-            return found
-        return HierarchyEngine(self.net, weight, self.threads).seeded(there[0] + there[1])
+    ) -> LeastCosts:
+        """Return least costs of two vehicles that meet, and drive together, up to each node.
+
+        Parameters
+        ----------
+        pair : array_like of float, (m,)
+            Cost of each edge for both together.
+        there : sequence of array_like of float, (n,)
+            Of either vehicle the costs alone, under this engine's weight, from its origin.
+        onward : sequence of array_like of float, (n,)
+            Of either vehicle the costs alone to its destination.
+        limit : float
+            Costs are exact at every node that a plan passes or parts at which costs at most this;
+            elsewhere they may be inf.
+        slack : float
+            The same of plans that cost at most so much more than the best.
+
+        Returns
+        -------
+        LeastCosts
+            Costs of both; a path is what they drive together.
+        """
+        weight = checked_weight(self.net, pair, "pair")
+        start = checked_two(self.net, there, "there")
+        rest = checked_two(self.net, onward, "onward")
+        dist = shared_stretch(self.net, self.weight, weight, start, rest, limit, slack)
+        if dist is not None:
+            return LeastCosts(self.net, weight, dist, labels=tuple(start))
+        return HierarchyEngine(self.net, weight, self.threads).seeded(start[0] + start[1])
 
     def best_on_route(
         self,
@@ -212,10 +268,42 @@ class HierarchyEngine:
         entries: Positions | None = None,
         exits: Positions | None = None,
     ) -> Found:
-        """Return where N members best join and leave a route; see `members.best_on_route`."""
-        nodes, start, end = (
-            checked_nodes(self.net, item) for item in (route, origins, destinations)
-        )
+        """Return for N members the best positions i < j on a route, and what they cost.
+
+        Parameters
+        ----------
+        route : array_like of int, (K + 1,)
+            Nodes of the route.
+        origins : array_like of int, (N,)
+            Nodes where members start.
+        destinations : array_like of int, (N,)
+            Nodes where they go.
+        platoon : array_like of float, (K + 1,)
+            Platoon weight along the route up to each node.
+        length_m : array_like of float, (K + 1,)
+            Metres along the route up to each node.
+        entries : tuple of array_like of int, optional
+            Positions where each member may join, as first (N + 1,) and positions; by default all.
+        exits : tuple of array_like of int, optional
+            Positions where each member may leave, likewise.
+
+        Returns
+        -------
+        i : ndarray of int, (N,)
+            Positions where they join; -1 where staying alone is cheaper.
+        j : ndarray of int, (N,)
+            Positions where they leave; -1 likewise.
+        cost : ndarray of float, (N,)
+            What each pays.
+        solo : ndarray of float, (N,)
+            What each pays alone.
+        """
+        nodes = checked_nodes(self.net, route)
+        start, end = checked_pairs(self.net, origins, destinations)
+        along = checked_along(nodes, platoon, "platoon")
+        metres = checked_along(nodes, length_m, "length_m")
+        join = checked_positions(nodes, len(start), entries, "entries")
+        part = checked_positions(nodes, len(start), exits, "exits")
         return best_on_route(
-            self.metric, nodes, start, end, platoon, length_m, entries, exits, self.threads
+            self.metric, nodes, start, end, along, metres, join, part, self.threads
         )

@@ -12,7 +12,7 @@ from platoon_osm.search import price
 from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.search.hierarchy import engine as fast
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
-from platoon_osm.search.hierarchy.fused.shared_stretch import SharedStretch
+from platoon_osm.search.hierarchy.fused.shared_stretch import shared_stretch
 
 EXAMPLES = settings(max_examples=150, deadline=None)
 
@@ -119,7 +119,8 @@ def check_shared_stretch(net, weight, pair, origins, destinations):
     if len(outside):
         with pytest.raises(NoRouteError):
             found.path(int(outside[0]))
-    return isinstance(found, SharedStretch)
+    restricted = shared_stretch(net, weight, pair, there, onward, limit + slack, slack)
+    return restricted is not None
 
 
 @EXAMPLES

@@ -75,7 +75,7 @@ def test_arrays_that_point_outside_are_refused(saved):
     net = open_network(path)
     good = answers(net, weight)
     for name in (
-        "head", "triangle", "forth", "back", "below", "parent", "rank", "node", "subtree", "upper",
+        "head", "triangle", "forth", "back", "parent", "rank", "node", "subtree", "upper",
         "run", "block", "local",
     ):  # fmt: skip
         arrays = {item.name: getattr(good, item.name).copy() for item in fields(good)}

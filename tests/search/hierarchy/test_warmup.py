@@ -26,7 +26,7 @@ def test_warmup_compiles_and_prepares(tmp_path, capsys):
 def test_nothing_is_left_to_compile(monkeypatch):
     engines.warm_up()
     parts = (
-        "customization", "paths", "fused.members", "fused.selection", "fused.shared_stretch",
+        "customization", "fused.members", "fused.selection", "fused.shared_stretch",
         "sweeping.batches", "sweeping.rows", "sweeping.sweeps", "sweeping.two_sweeps",
     )  # fmt: skip
     modules = [importlib.import_module(f"platoon_osm.search.hierarchy.{part}") for part in parts]

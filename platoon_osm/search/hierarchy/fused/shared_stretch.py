@@ -11,17 +11,15 @@ the best stretch before it has seen much else, and needs no hierarchy for the pa
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ....network.road_network import RoadNetwork
-from ...arguments import no_route
 from ..runtime.jit import compiled
 from ..runtime.lent import lent
 
-__all__ = ["SharedStretch", "shared_stretch"]
+__all__ = ["shared_stretch"]
 
 Ints = NDArray[np.int32]
 Longs = NDArray[np.int64]
@@ -29,39 +27,6 @@ Floats = NDArray[np.float64]
 
 FEW = 8
 """With at most one node in so many the search is shorter than customization and two sweeps."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class SharedStretch:
-    """Least costs of both vehicles up to where they may part.
-
-    Attributes
-    ----------
-    dist : (n,) cost of both, having driven together up to the node or met there; inf where no plan
-        within the limit would part or pass.
-    edge : (n,) edge by which the shared stretch enters the node, -1 if it begins there; only where
-        `dist` is finite.
-    """
-
-    net: RoadNetwork
-    dist: Floats
-    edge: Ints
-
-    def path(self, node: int) -> Longs:
-        """Return the edges of the best shared stretch to a node, in driving order.
-
-        Raises
-        ------
-        NoRouteError
-            If there is none within the limit.
-        """
-        if not np.isfinite(self.dist[node]):
-            raise no_route(self.net, node, True)
-        edges = []
-        while (edge := int(self.edge[node])) >= 0:
-            edges.append(edge)
-            node = int(self.net.tail[edge])
-        return np.array(edges[::-1], np.int64)
 
 
 def shared_stretch(
@@ -72,26 +37,40 @@ def shared_stretch(
     onward: Sequence[Floats],
     limit: float,
     slack: float,
-) -> SharedStretch | None:
-    """Return the least costs of shared stretches; None if too many nodes matter.
+) -> Floats | None:
+    """Return the least costs of both vehicles up to where they may part.
 
     Parameters
     ----------
-    solo, pair : (m,) cost of each edge for one vehicle alone, and for both together.
-    there, onward : two arrays (n,) each: costs alone from the origins, and to the destinations.
-    limit : costs of both above which no plan is of interest.
-    slack : plans that cost so much more than the best are found too.
+    net : RoadNetwork
+        The network searched.
+    solo : ndarray of float, (m,)
+        Cost of each edge for one vehicle alone.
+    pair : ndarray of float, (m,)
+        Cost of each edge for both together.
+    there : sequence of ndarray of float, (n,)
+        Of either vehicle the costs alone from its origin.
+    onward : sequence of ndarray of float, (n,)
+        Of either vehicle the costs alone to its destination.
+    limit : float
+        Costs of both above which no plan is of interest.
+    slack : float
+        Plans that cost so much more than the best are found too.
+
+    Returns
+    -------
+    ndarray of float, (n,), or None
+        Cost of both, having driven together up to the node or met there; inf where no plan within
+        the limit would part or pass. None if too many nodes matter.
     """
     share = _least_share(solo, pair)
     if share <= 0:
         return None
-    found, edge = lent(net.n), np.empty(net.n, np.int32)
+    found = lent(net.n)
     most = max(net.n // FEW, 64)
     (u1, u2), (v1, v2) = there, onward
-    done = _search(
-        u1, u2, v1, v2, share, limit, slack, net.first_out, net.head, pair, most, found, edge
-    )
-    return SharedStretch(net, found, edge) if done else None
+    done = _search(u1, u2, v1, v2, share, limit, slack, net.first_out, net.head, pair, most, found)
+    return found if done else None
 
 
 @compiled
@@ -107,9 +86,9 @@ def _least_share(solo: Floats, pair: Floats) -> float:
 @compiled
 def _search(
     u1: Floats, u2: Floats, v1: Floats, v2: Floats, share: float, limit: float, slack: float,
-    first_out: Ints, head: Ints, weight: Floats, most: int, found: Floats, edge: Ints,
+    first_out: Ints, head: Ints, weight: Floats, most: int, found: Floats,
 ) -> bool:  # fmt: skip
-    """Fill `found` and `edge`; return whether that took no more than `most` nodes."""
+    """Fill `found`; return whether that took no more than `most` nodes."""
     keys, nodes = np.empty(2 * most), np.empty(2 * most, np.int32)
     size = 0
     for x in range(len(found)):
@@ -119,7 +98,7 @@ def _search(
         if key <= limit:
             if size == most:
                 return False
-            found[x], edge[x] = label, -1
+            found[x] = label
             keys[size], nodes[size] = key, x
             size += 1
     for k in range(size // 2 - 1, -1, -1):
@@ -147,7 +126,7 @@ def _search(
             if new < found[h]:
                 key = new + share * (v1[h] + v2[h])
                 if key <= bound:
-                    found[h], edge[h] = new, e
+                    found[h] = new
                     if size == len(keys):
                         keys = np.concatenate((keys, np.empty_like(keys)))
                         nodes = np.concatenate((nodes, np.empty_like(nodes)))

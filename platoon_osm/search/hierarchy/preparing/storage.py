@@ -24,7 +24,7 @@ from .symbolic import Topology, build_topology
 
 __all__ = ["hierarchy_path", "topology_hash", "topology_of"]
 
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 log = logging.getLogger(__name__)
 
 
@@ -96,7 +96,7 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
         "parent": (n, "i4"), "triangle": (len(t.triangle), "i4"), "triangle_first": (n + 1, "i8"),
         "forth": (a, "i4"), "back": (a, "i4"),
         "spare": (len(t.spare), "i4"), "spare_place": (len(t.spare), "i4"),
-        "below_first": (n + 1, "i4"), "below": (a, "i4"), "subtree": (len(t.subtree), "i4"),
+        "subtree": (len(t.subtree), "i4"),
     }  # fmt: skip
     for name, (size, kind) in expected.items():
         array = getattr(t, name)
@@ -108,7 +108,6 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
     return bool(
         len(t.subtree) >= 1
         and _climbs(t.first, a)
-        and _climbs(t.below_first, a)
         and _climbs(t.triangle_first, len(t.triangle))
         and np.array_equal(np.diff(t.triangle_first), degree.astype(np.int64) * (degree - 1) // 2)
         and _within(t.node, 0, n)
@@ -125,7 +124,6 @@ def _is_sound(t: Topology, net: RoadNetwork) -> bool:
         and ((t.parent == -1) | (t.parent > ranks)).all()
         and _within(t.parent, -1, n)
         and _within(t.triangle, 0, a)
-        and _within(t.below, 0, a)
         and _within(t.forth, 0, net.m + 1)
         and _within(t.back, 0, net.m + 1)
         and _within(t.spare, 0, net.m)

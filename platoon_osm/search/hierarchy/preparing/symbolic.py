@@ -48,7 +48,6 @@ class Topology:
     forth, back : (a,) the edge up each arc, and that down; m, which is no edge, if there is none.
     spare, spare_place : (k,) edges parallel to those, and where each belongs: 2 * arc, plus 1 if
         it leads down; ascending by place.
-    below_first, below : (n + 1,), (a,) the arcs that end at each rank, from the lowest tail up.
     subtree : (s + 1,) ranks where the subtrees for threads begin; the last is where the top
         begins.
     """
@@ -68,8 +67,6 @@ class Topology:
     back: Ints
     spare: Ints
     spare_place: Ints
-    below_first: Ints
-    below: Ints
     subtree: Ints
 
     @property
@@ -110,11 +107,10 @@ def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: in
     place = _places(rank[tail], rank[head], first, up)
     forth, back, spare = _edges_of_arcs(place, len(up))
     spare = spare[np.argsort(place[spare], kind="stable")]
-    below_first, below = _below(first, up)
     return Topology(
         node, rank, first, up, node[up], runs(first), found.block,
         block_rows(first, up, found.block), parent, triangle, triangle_first, forth, back, spare,
-        place[spare], below_first, below, found.subtree,
+        place[spare], found.subtree,
     )  # fmt: skip
 
 
@@ -181,21 +177,6 @@ def _triangles(first: Ints, up: Ints) -> tuple[Ints, Longs]:
                 found[t] = a
                 t += 1
     return found, begin
-
-
-@compiled
-def _below(first: Ints, up: Ints) -> tuple[Ints, Ints]:
-    n = len(first) - 1
-    begin, below = np.zeros(n + 1, np.int32), np.empty(len(up), np.int32)
-    for a in range(len(up)):
-        begin[up[a] + 1] += 1
-    for v in range(n):
-        begin[v + 1] += begin[v]
-    at = begin[:-1].copy()
-    for a in range(len(up)):
-        below[at[up[a]]] = a
-        at[up[a]] += 1
-    return begin, below
 
 
 @compiled
