@@ -10,11 +10,11 @@ COSTS = st.sampled_from([0.0, 0.25, 1.0, 1.0, 2.0, 3.5, 1e6, float("inf")])
 
 
 @st.composite
-def networks(draw):
+def networks(draw, most_nodes=12, most_edges=36):
     """Draw a directed multigraph with its weight: parallel edges, loops, islands, closed roads."""
-    n = draw(st.integers(1, 12))
+    n = draw(st.integers(1, most_nodes))
     ends = st.tuples(st.integers(0, n - 1), st.integers(0, n - 1))
-    pairs = draw(st.lists(ends, max_size=36))
+    pairs = draw(st.lists(ends, max_size=most_edges))
     if draw(st.booleans()):
         pairs += [(b, a) for a, b in pairs]
     xy = draw(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=n, max_size=n))
@@ -27,6 +27,36 @@ def networks(draw):
     )
     weight = draw(st.lists(COSTS, min_size=len(pairs), max_size=len(pairs)))
     return net, np.array(weight, np.float64)
+
+
+@st.composite
+def tied_grids(draw):
+    """Draw a grid whose steps cost alike, or nearly so, with some roads closed or free."""
+    width, height = draw(st.integers(2, 4)), draw(st.integers(1, 3))
+    node = np.arange(width * height).reshape(height, width)
+    a = np.concatenate([node[:, :-1].ravel(), node[:-1].ravel()])
+    b = np.concatenate([node[:, 1:].ravel(), node[1:].ravel()])
+    net = RoadNetwork.from_edges(
+        np.concatenate([a, b]), np.concatenate([b, a]), np.ones(2 * len(a)),
+        lon=node.ravel() % width / 100, lat=node.ravel() // width / 100,
+    )  # fmt: skip
+    step = draw(st.sampled_from([1.0, 0.1, 1 / 3, 1e-9, 12345.678]))
+    # Apart by far less, less, and more than what counts as equal.
+    factor = st.sampled_from([1.0, 1.0, 1 + 1e-14, 1 + 3e-12, 1 + 1e-9, 2.0, 0.0, float("inf")])
+    return net, step * np.array(draw(st.lists(factor, min_size=net.m, max_size=net.m)))
+
+
+@st.composite
+def road_like_networks(draw):
+    """Draw a small strongly connected network whose weights never tie by accident."""
+    n = draw(st.integers(3, 7))
+    rng = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
+    ring, extra = np.arange(n), draw(st.integers(0, 2 * n))
+    tails = np.concatenate([ring, rng.integers(0, n, extra)])
+    heads = np.concatenate([np.roll(ring, -1), rng.integers(0, n, extra)])
+    lon, lat = rng.uniform(8, 12, n), rng.uniform(44, 46, n)
+    net = RoadNetwork.from_edges(tails, heads, rng.uniform(1, 9e4, len(tails)), lon=lon, lat=lat)
+    return net, net.length_m * rng.uniform(1, 3, net.m)
 
 
 def planar(nodes, seed, real=True):
