@@ -96,7 +96,6 @@ class NetworkArrays:
     points: NamedPoints
     source: Source = field(default_factory=Source)
     load_report: LoadReport = field(default_factory=LoadReport)
-    _kept: dict[str, Any] = field(default_factory=dict, repr=False)
     _file: Path | None = field(default=None, repr=False)
     _attached: dict[Any, Any] = field(init=False, default_factory=dict, repr=False)
 
@@ -192,7 +191,6 @@ class NetworkArrays:
     def __reduce__(self) -> tuple[Any, ...]:
         # Made anew: arrays come back read-only, and nothing that was made of them goes along.
         values = {item.name: getattr(self, item.name) for item in fields(self) if item.init}
-        values.pop("_kept")
         return _restored, (type(self), values)
 
     # -- looking at it -------------------------------------------------------------------------

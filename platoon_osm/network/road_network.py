@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..errors import NetworkError
 from ..offers import offered
 from .arrays import NetworkArrays
 from .columns import POINT_KINDS, ROAD_CLASSES, columns_per
 from .components import connected_share, strong_components
 from .load_report import LoadReport
-from .location import Location, Role
+from .location import Location, Role, format_position
 from .making import checked_edges
 from .named_points import NamedPoints
 from .shapes import ragged_order
@@ -22,7 +23,14 @@ if TYPE_CHECKING:
     import geopandas
     import networkx
 
-__all__ = ["POINT_KINDS", "ROAD_CLASSES", "NamedPoints", "RoadNetwork", "format_position"]
+__all__ = [
+    "POINT_KINDS",
+    "ROAD_CLASSES",
+    "NamedPoints",
+    "RoadNetwork",
+    "checked_network",
+    "format_position",
+]
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
@@ -273,7 +281,26 @@ class RoadNetwork(NetworkArrays):
         return offered("to_geodataframes")(self)  # type: ignore[no-any-return]
 
 
-def format_position(lon: float, lat: float) -> str:
-    """Return coordinates as people write them: 45.070 N 7.690 E."""
-    north, east = "N" if lat >= 0 else "S", "E" if lon >= 0 else "W"
-    return f"{abs(lat):.3f} {north} {abs(lon):.3f} {east}"
+def checked_network(net: Any) -> RoadNetwork:
+    """Refuse what is no road network.
+
+    Parameters
+    ----------
+    net : object
+        What somebody gave.
+
+    Returns
+    -------
+    RoadNetwork
+        The same.
+
+    Raises
+    ------
+    NetworkError
+        It is none.
+    """
+    if not isinstance(net, RoadNetwork):
+        raise NetworkError(
+            f"network: a {type(net).__name__} is no road network; load one with load_network"
+        )
+    return net

@@ -17,7 +17,8 @@ from made_networks import (
 
 from platoon_osm.errors import NetworkError
 from platoon_osm.network.geodesy import distance_m
-from platoon_osm.network.locate import fold, locate
+from platoon_osm.network.locate import locate
+from platoon_osm.network.place_index import fold
 from platoon_osm.network.road_network import POINT_KINDS, NamedPoints
 from platoon_osm.network.texts import TextTable
 

@@ -141,9 +141,7 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
             raise _damaged(file, "its arrays do not match their checksum")
         arrays = {name: _view(payload, item) for name, item in header["arrays"].items()}
         check_arrays(arrays)
-        net = _network(arrays, header, file.absolute())
-        net._kept["file"] = net.file
-        return net
+        return _network(arrays, header, file.absolute())
     except OSError as error:
         raise MapDataError(
             f"{file}: cannot be read ({error.strerror}); check the path and its rights"

@@ -1,0 +1,200 @@
+"""The names of a network: which junctions and towns a name may mean."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import unicodedata
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .geodesy import distance_m
+from .road_network import POINT_KINDS, RoadNetwork, format_position
+
+__all__ = ["NamedPlace", "PlaceIndex", "fold", "join_towns"]
+
+SAME_PLACE_M = 6_000.0
+"""Nodes of one name nearer than this are one place: its carriageways, ramps and toll gates."""
+
+TOWN_AND_JUNCTION_M = 15_000.0
+"""A junction named like a town and nearer to it than this is that town's junction."""
+
+LETTERS = str.maketrans({"ł": "l", "ø": "o", "đ": "d", "ð": "d", "ı": "i", "æ": "ae", "œ": "oe"})
+"""Letters that people without them on the keyboard write so; Unicode does not decompose them."""
+
+
+def fold(text: str) -> str:
+    """Reduce a name to what people remember of it: no case, accents, punctuation or spaces.
+
+    Parameters
+    ----------
+    text : str
+        A name as the map or a person writes it.
+
+    Returns
+    -------
+    str
+        Words in lower case, a blank between them.
+    """
+    plain = unicodedata.normalize("NFKD", text.casefold().translate(LETTERS))
+    return re.sub(r"[\W_]+", " ", "".join(c for c in plain if not unicodedata.combining(c))).strip()
+
+
+@dataclass(frozen=True, slots=True)
+class NamedPlace:
+    """One named place: a cluster of junction nodes, or a town.
+
+    Attributes
+    ----------
+    name : str
+        As the map writes it.
+    kind : str
+        "junction", or the kind of town.
+    lon, lat : float
+        Its middle [deg].
+    nodes : tuple of int
+        Nodes of a junction; none of a town.
+    refs : frozenset of str
+        Road numbers that meet there.
+    """
+
+    name: str
+    kind: str
+    lon: float
+    lat: float
+    nodes: tuple[int, ...]
+    refs: frozenset[str]
+
+    def roads(self) -> set[str]:
+        """Return the road numbers as they are compared: "A 4;E 64" is the a4 and the e64.
+
+        Returns
+        -------
+        set of str
+            Folded, without spaces.
+        """
+        return {fold(part).replace(" ", "") for ref in self.refs for part in ref.split(";")}
+
+    def label(self) -> str:
+        """Return how the place is told from others of its name.
+
+        Returns
+        -------
+        str
+            Name, roads or kind, and coordinates.
+        """
+        roads = ", ".join(sorted(self.refs)) or self.kind
+        return f"{self.name} ({roads}) at {format_position(self.lon, self.lat)}"
+
+
+class PlaceIndex:
+    """Junctions and towns of a network by name; kept with it by `net.attached`.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        Whose names.
+    """
+
+    def __init__(self, net: RoadNetwork) -> None:
+        self._places: dict[str, list[NamedPlace]] = {}
+        by_name: dict[int, list[int]] = {}
+        for node in np.flatnonzero(net.node_name):
+            by_name.setdefault(int(net.node_name[node]), []).append(int(node))
+        for code, nodes in by_name.items():
+            for group in _clusters(net, nodes):
+                refs = frozenset(ref for v in group for ref in net.incident_refs(v))
+                lon, lat = float(net.lon[group].mean()), float(net.lat[group].mean())
+                self._add(NamedPlace(net.texts[code], "junction", lon, lat, tuple(group), refs))
+        points = net.points
+        for i in np.flatnonzero(points.kind >= POINT_KINDS.index("city")):
+            name, kind = net.texts[points.name[i]], POINT_KINDS[points.kind[i]]
+            at = float(points.lon[i]), float(points.lat[i])
+            self._add(NamedPlace(name, kind, *at, (), frozenset()))
+
+    def _add(self, place: NamedPlace) -> None:
+        self._places.setdefault(fold(place.name), []).append(place)
+
+    def __contains__(self, folded: str) -> bool:
+        return folded in self._places
+
+    def matches(self, folded: str) -> list[NamedPlace]:
+        """Return the places of a name; if none has it, those in whose name it stands.
+
+        Parameters
+        ----------
+        folded : str
+            A name as `fold` returns it.
+
+        Returns
+        -------
+        list of NamedPlace
+            Empty if there are none.
+        """
+        return self._places.get(folded) or [
+            item
+            for key, items in self._places.items()
+            if f" {folded} " in f" {key} "
+            for item in items
+        ]
+
+    def nearest_spellings(self, folded: str) -> list[str]:
+        """Return names that are spelt nearly like one.
+
+        Parameters
+        ----------
+        folded : str
+            A name as `fold` returns it.
+
+        Returns
+        -------
+        list of str
+            At most four, as the map writes them.
+        """
+        near = difflib.get_close_matches(folded, self._places, 4, 0.6)
+        return [self._places[key][0].name for key in near]
+
+
+def join_towns(matches: Iterable[NamedPlace]) -> list[NamedPlace]:
+    """Leave out a town where a junction of the same name stands for it, and the reverse.
+
+    Parameters
+    ----------
+    matches : iterable of NamedPlace
+        Places of one name.
+
+    Returns
+    -------
+    list of NamedPlace
+        Those among which somebody must choose.
+    """
+    junctions = [item for item in matches if item.kind == "junction"]
+    towns = [item for item in matches if item.kind != "junction"]
+    lonely = [
+        town
+        for town in towns
+        if all(
+            distance_m(town.lon, town.lat, item.lon, item.lat) > TOWN_AND_JUNCTION_M
+            for item in junctions
+        )
+    ]
+    cities = [town for town in lonely if town.kind == "city"]
+    # "Torino" means the city, even where some far exit carries the same name.
+    return cities if len(cities) == 1 else junctions + lonely
+
+
+def _clusters(net: RoadNetwork, nodes: list[int]) -> list[list[int]]:
+    """Split nodes of one name into places, each within `SAME_PLACE_M` of its first node."""
+    groups: list[list[int]] = []
+    for node in nodes:
+        for group in groups:
+            first = group[0]
+            gap = distance_m(net.lon[first], net.lat[first], net.lon[node], net.lat[node])
+            if gap <= SAME_PLACE_M:
+                group.append(node)
+                break
+        else:
+            groups.append([node])
+    return groups
