@@ -1,0 +1,38 @@
+"""Help, version and lists: what a user sees before anything is planned."""
+
+import pytest
+from command_line import run
+
+import platoon_osm
+from platoon_osm.cli.verbs import VERBS
+
+
+def test_the_verbs_there_are():
+    assert set(VERBS) == {
+        "demo", "maps", "prepare", "download", "plan", "study", "compare", "warmup",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("verb", ["", *VERBS])
+def test_help_teaches(verb, capsys):
+    assert run(*([verb] if verb else []), "--help") == 0
+    out, err = capsys.readouterr()
+    assert err == ""
+    assert f"Usage: platoon-osm{' ' + verb if verb else ''}" in out
+    if not verb:
+        assert all(known in out for known in VERBS)
+        assert "platoon-osm plan corridor.toml --html plan.html" in out
+    else:
+        assert len(out.splitlines()) > 4
+
+
+def test_version(capsys):
+    assert run("--version") == 0
+    assert capsys.readouterr().out == f"platoon-osm {platoon_osm.__version__}\n"
+
+
+def test_maps_lists_the_bundled_ones(capsys):
+    assert run("maps") == 0
+    out, err = capsys.readouterr()
+    assert out.startswith("italy-motorways: ")
+    assert err == ""
