@@ -32,7 +32,10 @@ Files beside such folders stand in no list; that they make no circle is tested f
 
 MODULES = sorted(PACKAGE.rglob("*.py"))
 NAMES = [str(path.relative_to(PACKAGE)) for path in MODULES]
-HEAVY = ("numpy", "scipy", "networkx", "geopandas", "folium", "osmium", "osmnx", "shapely", "rich")
+HEAVY = (
+    "numpy", "scipy", "networkx", "geopandas", "folium", "osmium", "osmnx", "shapely", "rich",
+    "numba", "matplotlib", "pyarrow",
+)  # fmt: skip
 FRONT_DOOR = {"platoon_osm", "platoon_osm._version"}
 """The front door names everything and loads it when first used; the version is a number."""
 

@@ -7,6 +7,7 @@ import logging
 import sys
 from collections.abc import Sequence
 from importlib import import_module
+from typing import Any
 
 import click
 
@@ -55,6 +56,15 @@ class _Verbs(click.Group):
             hint = f"did you mean {near[0]!r}? " if near else ""
             ctx.fail(f"VERB: invalid choice {args[0]!r}; {hint}use one of {', '.join(known)}")
         return super().resolve_command(ctx, args)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except click.UsageError as error:
+            # Not every error of the parser knows whose options it read.
+            if error.ctx is None and ctx.invoked_subcommand:
+                error.ctx = click.Context(self, info_name=f"{NAME} {ctx.invoked_subcommand}")
+            raise
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         rows = [(name, self._about(ctx, name)) for name in self.list_commands(ctx)]

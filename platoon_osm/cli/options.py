@@ -13,6 +13,7 @@ from ..errors import ScenarioError
 
 __all__ = [
     "FILE",
+    "FOLDER",
     "SectionOption",
     "Sections",
     "classes_option",
@@ -26,6 +27,9 @@ Run = TypeVar("Run", bound=Callable[..., Any])
 
 FILE = click.Path(path_type=Path)
 """A path of any kind; whoever opens it says what is wrong with it."""
+FOLDER = click.Path(file_okay=False, path_type=Path)
+"""A folder, which may be there already."""
+FOLDER.name = "folder"
 
 
 def new_file(text: str) -> Path:

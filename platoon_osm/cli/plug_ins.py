@@ -15,8 +15,8 @@ table, and scenarios may name it.
     from platoon_osm.costs.fuel import FUEL_SAVINGS, FuelSaving
     FUEL_SAVINGS.add(FuelSaving("ours", 0.02, 0.06, 0.06, "measured by ourselves"))
 
-    from platoon_osm.report.exports.registry import EXPORTERS, Exporter
-    EXPORTERS.add(Exporter("kml", "routes for a globe to write", ".kml", False, write_kml))
+    from platoon_osm.report.exporters import EXPORTERS, Exporter
+    EXPORTERS.add(Exporter("kml", "routes for a globe to write", ".kml", write_kml))
 
 Such a module should import what is heavy only where it is used: it is loaded for `--help` too.
 What cannot be loaded is told in one line, and the rest works on.

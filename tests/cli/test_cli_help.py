@@ -1,10 +1,14 @@
 """Help, version and lists: what a user sees before anything is planned."""
 
+import re
+
 import pytest
 from command_line import run
 
 import platoon_osm
 from platoon_osm.cli.verbs import VERBS
+from platoon_osm.costs.fuel import FUEL_SAVINGS
+from platoon_osm.report.exporters import EXPORTERS, Exporter
 
 
 def test_the_verbs_there_are():
@@ -36,3 +40,22 @@ def test_maps_lists_the_bundled_ones(capsys):
     out, err = capsys.readouterr()
     assert out.startswith("italy-motorways: ")
     assert err == ""
+
+
+@pytest.mark.parametrize("name", ["case", "help", "mile stones", "1st"])
+def test_an_exporter_of_any_name_leaves_help_as_it_is(name, capsys):
+    EXPORTERS.add(Exporter(name, "stones to write", ".txt", print))
+    try:
+        assert run("plan", "--help") == 0
+        out, err = capsys.readouterr()
+    finally:
+        EXPORTERS.remove(name)
+    assert err == ""
+    assert ("Stones to write." in out) is (name not in ("case", "help"))
+
+
+def test_fuel_tables_are_listed(capsys):
+    run("plan", "--help")
+    out = capsys.readouterr().out
+    for table in FUEL_SAVINGS.values():
+        assert re.search(rf"{table.name} .*{table.source}", out)

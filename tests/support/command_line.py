@@ -1,5 +1,6 @@
 """The command as tests type it: what they run, the files they give, and how a refusal looks."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -89,9 +90,11 @@ def refused(capsys, arguments, *said):
     return err
 
 
-def command(*arguments):
+def command(*arguments, path=None):
+    """Run in a process of its own, with the packages of a folder installed."""
+    places = [str(ROOT), *([str(path)] if path else [])]
     return subprocess.run(
         [sys.executable, "-m", "platoon_osm.cli", *arguments], capture_output=True, text=True,
-        timeout=120, env={"PYTHONPATH": str(ROOT), "PATH": "", "PYTHONWARNINGS": "error"},
-        check=False,
+        timeout=120, check=False,
+        env={"PYTHONPATH": os.pathsep.join(places), "PATH": "", "PYTHONWARNINGS": "error"},
     )  # fmt: skip

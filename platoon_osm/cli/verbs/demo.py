@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from ..options import FILE
+from ..options import FOLDER
 from ..progress import steps
 
 __all__ = ["verb"]
@@ -17,7 +17,7 @@ SCENARIOS = ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c")
 
 
 @click.command("demo", short_help="plan cases A to D on the bundled map and draw them")
-@click.option("-o", "--output", type=FILE, default="out", help="Folder to write into.")
+@click.option("-o", "--output", type=FOLDER, default="out", help="Folder to write into.")
 def verb(output: Path) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from ..options import FILE, classes_option, output_option, truck_options
+from ..options import FOLDER, classes_option, output_option, truck_options
 from ..progress import steps
 
 __all__ = ["verb"]
@@ -17,7 +17,7 @@ __all__ = ["verb"]
 @click.argument("place")
 @output_option(help="file.graphml or file.platoon to write.")
 @classes_option
-@click.option("--cache", type=FILE, default="cache", help="Folder of answers to keep.")
+@click.option("--cache", type=FOLDER, default="cache", help="Folder of answers to keep.")
 @click.option("--overpass-url", help="Another Overpass server.")
 @truck_options
 def verb(

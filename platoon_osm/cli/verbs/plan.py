@@ -8,8 +8,8 @@ from pathlib import Path
 import click
 
 from ...costs.fuel import FUEL_SAVINGS
-from ...report.exporters import EXPORTERS
-from ..options import FILE, SectionOption, Sections, new_file
+from ...report.exporters import EXPORTERS, Exporter
+from ..options import FILE, FOLDER, SectionOption, Sections, new_file
 from ..progress import steps
 
 __all__ = ["verb"]
@@ -20,7 +20,9 @@ class _WithExporters(Sections):
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         own = super().get_params(ctx)
-        return [*own, *(_option(name) for name in EXPORTERS if name not in {p.name for p in own})]
+        taken = {word for parameter in own for word in parameter.opts}
+        outputs = [_output(number, exporter) for number, exporter in enumerate(EXPORTERS.values())]
+        return [*own, *(option for option in outputs if option.opts[0] not in taken)]
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section('Fuel tables, for positions = "..." under [costs]'):
@@ -28,15 +30,14 @@ class _WithExporters(Sections):
         super().format_epilog(ctx, formatter)
 
 
-def _option(name: str) -> click.Option:
-    exporter = EXPORTERS[name]
-    about = exporter.about[:1].upper() + exporter.about[1:] + "."
+def _output(number: int, exporter: Exporter) -> click.Option:
+    # Known to the verb by a number, for an exporter's name may be no name in Python.
     return SectionOption(
-        [f"--{name}"],
+        [f"--{exporter.name}", f"output_{number}"],
         "What to write",
-        type=FILE if exporter.is_folder else new_file,
+        type=FOLDER if exporter.is_folder else new_file,
         metavar="FOLDER" if exporter.is_folder else "FILE",
-        help=about,
+        help=exporter.about[:1].upper() + exporter.about[1:] + ".",
     )
 
 
@@ -63,7 +64,11 @@ def verb(scenario: Path, case: str | None, **paths: Path | None) -> None:
     asked = read_scenario(scenario)
     if case:
         asked = replace(asked, options={**asked.options, "case": case})
-    outputs = [(EXPORTERS[name], path) for name in EXPORTERS if (path := paths.get(name))]
+    outputs = [
+        (exporter, path)
+        for number, exporter in enumerate(EXPORTERS.values())
+        if (path := paths.get(f"output_{number}"))
+    ]
     with steps(2 + len(outputs)) as begin:
         begin(f"loading {asked.network['source']}")
         net = load_network(**asked.network)

@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from ...study.options import StudyOptions
-from ..options import FILE, SectionOption, Sections
+from ..options import FILE, FOLDER, SectionOption, Sections
 from ..progress import counted
 
 __all__ = ["verb"]
@@ -34,7 +34,7 @@ def _one_of(*words: str) -> click.Choice[str]:
     cls=Sections,
     short_help="repeat the paper's experiment, beside its numbers",
     params=[
-        _option(RUNS, "output", "Folder to write into.", "-o", kind=FILE),
+        _option(RUNS, "output", "Folder to write into.", "-o", kind=FOLDER),
         _option(RUNS, "runs", "Networks drawn for each reading."),
         _option(RUNS, "seed", "Of all draws."),
         _option(RUNS, "workers", "Processes; one for each core unless given.", kind=int),
