@@ -22,7 +22,7 @@ WALLS = {
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "planning": ("timing",),
-    "report": ("markup", "drawing", "document", "charts", "exports", "pages"),
+    "report": ("markup", "drawing", "document", "maps", "charts", "exports", "pages"),
     "cli": ("verbs",),
 }  # fmt: skip
 """The order of the parts of each folder that has folders inside: each may import those to its left.
@@ -112,6 +112,32 @@ def circle(graph):
 def test_imports_run_one_way(path):
     own = dotted(path)
     assert wrong(own, arrows().get(own, ())) == set()
+
+
+AWAY_FROM_REPORT = ("planning", "study", "sources", "search")
+
+
+def test_a_report_needs_plans_and_costs_alone():
+    """What is told of a plan does not depend on how it was found, nor on where the map is from."""
+    found = {
+        (own, other)
+        for own, others in arrows().items()
+        if part_of(own, ("platoon_osm",)) == "report"
+        for other in others
+        if part_of(other, ("platoon_osm",)) in AWAY_FROM_REPORT
+    }
+    assert found == set()
+
+
+def test_a_study_draws_its_own_figures():
+    found = {
+        own
+        for own, others in arrows().items()
+        if part_of(own, ("platoon_osm",)) == "study"
+        for other in others
+        if part_of(other, ("platoon_osm",)) == "report"
+    }
+    assert found == set()
 
 
 def test_every_part_of_the_house_stands_in_its_order():

@@ -8,7 +8,10 @@ from datetime import UTC, datetime, timedelta, timezone
 
 from ..errors import ScenarioError
 
-__all__ = ["Clock", "duration"]
+__all__ = ["MENTIONED_S", "Clock", "duration", "late_by", "whole_minutes"]
+
+MENTIONED_S = 30.0
+"""A wait shorter than this is 0 min everywhere, and not worth telling."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,8 +78,7 @@ class Clock:
 
     def text(self, seconds: float) -> str:
         """Return the time to the minute: "08:21", "00:10 +1 d" a day later."""
-        # Halves go up, as in the script of the page.
-        minutes = math.floor((self.since_midnight_s + seconds) / 60 + 0.5)
+        minutes = whole_minutes(self.since_midnight_s + seconds)
         days, minute = divmod(minutes, 24 * 60)
         return f"{minute // 60:02d}:{minute % 60:02d}" + (f" {days:+d} d" if days else "")
 
@@ -85,8 +87,50 @@ class Clock:
         return self.moment(round(seconds)).isoformat(timespec="seconds")
 
 
+def whole_minutes(seconds: float) -> int:
+    """Return a time to the minute; halves go up, as in the script of the page.
+
+    Parameters
+    ----------
+    seconds : float
+        A moment or a time span [s].
+
+    Returns
+    -------
+    int
+        In minutes.
+    """
+    return math.floor(seconds / 60 + 0.5)
+
+
 def duration(seconds: float) -> str:
-    """Return a time span to the minute: "24 min", "1 h 05 min"."""
-    minutes = math.floor(seconds / 60 + 0.5)
-    hours, rest = divmod(minutes, 60)
+    """Return a time span to the minute: "24 min", "1 h 05 min".
+
+    Parameters
+    ----------
+    seconds : float
+        The span [s].
+
+    Returns
+    -------
+    str
+        Hours only where there are any.
+    """
+    hours, rest = divmod(whole_minutes(seconds), 60)
     return f"{hours} h {rest:02d} min" if hours else f"{rest} min"
+
+
+def late_by(seconds: float) -> str:
+    """Return a lateness to the minute, never 0.
+
+    Parameters
+    ----------
+    seconds : float
+        How late [s].
+
+    Returns
+    -------
+    str
+        As `duration`, or "less than a minute".
+    """
+    return duration(seconds) if seconds >= MENTIONED_S else "less than a minute"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .clock import duration
+from .clock import MENTIONED_S, duration
 from .records import JointPlan, VehiclePlan
 from .timetable import Timetable, VehicleTimes
 
@@ -92,7 +92,7 @@ def _events(
             clock = timetable.clock
             merges = f", {clock.text(times.legs[places[0]][0])}"
             separates = f", {clock.text(times.legs[places[-1]][1])}"
-            if times.waits[places[0]] >= 30:
+            if times.waits[places[0]] >= MENTIONED_S:
                 merges += f" after waiting {duration(times.waits[places[0]])}"
         return [
             f"{vehicle.vehicle} merges with {' and '.join(partners)} at {vehicle.merge.name} "

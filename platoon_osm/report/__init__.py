@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .charts.figures import write_figures
     from .document.document import DOCUMENT_VERSION, report_document
+    from .document.flows import flow_document
+    from .document.side_by_side import comparison_document
     from .exporters import EXPORTERS, Exporter
     from .exports.gis import to_geodataframe, write_geopackage
     from .exports.tracks import write_csv, write_gpx
-    from .pages.comparison import comparison_document, write_comparison
-    from .pages.flows import flow_document, write_flows
+    from .pages.comparison import write_comparison
+    from .pages.flows import write_flows
     from .pages.page import explore, plan_map, write_html
 
 _WHERE = {
@@ -26,9 +28,9 @@ _WHERE = {
     "write_geopackage": "exports.gis",
     "write_csv": "exports.tracks",
     "write_gpx": "exports.tracks",
-    "comparison_document": "pages.comparison",
+    "comparison_document": "document.side_by_side",
     "write_comparison": "pages.comparison",
-    "flow_document": "pages.flows",
+    "flow_document": "document.flows",
     "write_flows": "pages.flows",
     "explore": "pages.page",
     "plan_map": "pages.page",

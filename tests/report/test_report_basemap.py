@@ -10,10 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.report.drawing.basemap import basemap_lines, encoded_basemap, encoded_route
-from platoon_osm.report.drawing.map_view import shifted
-from platoon_osm.report.drawing.placement import SOLID, Box, Cover
-from platoon_osm.report.drawing.polyline import decode_polyline, encode_polyline
+from platoon_osm.report.drawing.basemap import basemap_lines, network_lines, route_line
+from platoon_osm.report.drawing.lines import Line, Lines
+from platoon_osm.report.drawing.polyline import decode_lines, decode_polyline, encode_polyline
+from platoon_osm.report.maps.map_view import shifted
+from platoon_osm.report.maps.placement import SOLID, Box, Cover
 from platoon_osm.report.markup.leaflet import load_leaflet
 from platoon_osm.report.markup.shown_text import shown
 
@@ -28,6 +29,22 @@ def test_polyline_round_trip(points: list[tuple[float, float]]) -> None:
     if len(kept) < 2:
         kept = [rounded[0], rounded[1]]
     np.testing.assert_array_equal(np.rint(back * 10_000), kept)
+
+
+@given(st.lists(COORDINATE, min_size=2, max_size=40))
+def test_what_is_drawn_is_what_a_reader_decodes(points: list[tuple[float, float]]) -> None:
+    line = Line.rounded(points, 100_000)
+    assert line.degrees() == decode_polyline(line.encoded(), 100_000)
+    assert not line.points.flags.writeable
+
+
+@given(st.lists(st.lists(COORDINATE, min_size=2, max_size=9), max_size=9))
+def test_many_lines_too(lines: list[list[tuple[float, float]]]) -> None:
+    found = Lines.rounded(lines, 10_000)
+    back = decode_lines(found.encoded(), 10_000)
+    assert len(back) == len(found) == len(lines)
+    for line, points in zip(found, back, strict=True):
+        np.testing.assert_allclose(line.degrees(), points, atol=1e-9)
 
 
 def test_polyline_of_the_published_example() -> None:
@@ -68,8 +85,8 @@ def test_simplified_lines_keep_to_the_road(net: RoadNetwork) -> None:
 
 
 def test_no_lines_of_nothing(net: RoadNetwork) -> None:
-    assert encoded_route(net, ()) == ""
-    assert encoded_basemap(net)["known"]
+    assert route_line(net, ()).encoded() == ""
+    assert network_lines(net, inferred=False).encoded()
     assert basemap_lines(net, np.zeros(0, np.int64), 20.0) == []
 
 

@@ -179,7 +179,7 @@ def test_inks_of_the_style_sheet_are_those_checked() -> None:
 
 
 def test_flow_colours_are_told_apart_in_grey() -> None:
-    from platoon_osm.report.pages.flows import COLOURS
+    from platoon_osm.report.drawing.palette import FLOWS as COLOURS
 
     assert contrast(COLOURS[0], "#ffffff") > 1.9
     assert all(contrast(a, b) > 1.35 for a, b in pairwise(COLOURS))

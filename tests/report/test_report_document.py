@@ -14,7 +14,8 @@ from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.records import JointPlan
 from platoon_osm.plans.stretches import platoon_sections
-from platoon_osm.report.document.document import DOCUMENT_VERSION, joined, report_document
+from platoon_osm.report.document.document import DOCUMENT_VERSION, report_document
+from platoon_osm.report.document.wording import joined
 from platoon_osm.report.drawing.basemap import ROUTE_STEPS
 from platoon_osm.report.drawing.polyline import decode_polyline
 from platoon_osm.report.drawing.vehicle_styles import vehicle_styles

@@ -16,7 +16,8 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.records import JointPlan
 from platoon_osm.plans.stretches import platoon_groups, platoon_parts, platoon_sections
 from platoon_osm.report import report_document, write_html
-from platoon_osm.report.drawing.map_view import bands_width
+from platoon_osm.report.document.document import document_of
+from platoon_osm.report.maps.map_view import bands_width
 from platoon_osm.report.markup.fragments import fill
 from platoon_osm.report.pages.panel import page_body
 
@@ -315,7 +316,7 @@ def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, veh
 
 def test_those_of_one_reason_share_a_note(many: JointPlan, net: RoadNetwork) -> None:
     alone = [v for v in report_document(many, net)["vehicles"] if v["role"] == "alone"]
-    text = page_body(report_document(many, net) | {"tiles": None}, fill("nothing"))
+    text = page_body(document_of(many, net), fill("nothing"))
     notes = re.findall(r"<span>([A-Z, ]+) stay alone: <bdi>", text)
     assert len(notes) == 1
     assert notes[0].split(", ") == [vehicle["letter"] for vehicle in alone]

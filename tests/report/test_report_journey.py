@@ -13,7 +13,7 @@ import pytest
 from platoon_osm.costs.fatigue import FITTED_RANGE_S, FatigueModel
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.records import JointPlan
-from platoon_osm.plans.stretches import platoon_sections
+from platoon_osm.plans.stretches import platoon_groups, platoon_sections
 from platoon_osm.report import report_document, write_html
 from platoon_osm.report.document.driver_fatigue import fatigue_along
 from platoon_osm.report.document.journey import journey, ways
@@ -36,7 +36,7 @@ def test_vehicles_are_level_where_they_drive_together(
 ) -> None:
     plan: JointPlan = request.getfixturevalue(which)
     sections = platoon_sections(plan)
-    scale = journey(plan, net, sections)
+    scale = journey(plan, net, sections, platoon_groups(sections, len(plan.vehicles)))
     assert scale is not None
     assert min(scale.starts_m) == 0
     for section in sections:
@@ -70,8 +70,9 @@ def test_no_scale_where_ways_between_two_meetings_differ(plan: JointPlan, net: R
     detour = replace(member.legs[0], edges=member.legs[0].edges[:3])
     first, second = (leg for leg in member.legs if leg.role == "platoon")
     broken = replace(member, legs=(first, detour, second))
-    assert journey(replace(plan, vehicles=(plan.vehicles[0], broken, *plan.vehicles[2:])), net,
-                   sections) is None  # fmt: skip
+    other = replace(plan, vehicles=(plan.vehicles[0], broken, *plan.vehicles[2:]))
+    groups = platoon_groups(sections, len(plan.vehicles))
+    assert journey(other, net, sections, groups) is None
 
 
 def test_no_times_are_invented(page_file: Path) -> None:
@@ -174,12 +175,12 @@ def test_fatigue_is_that_of_the_model(plan: JointPlan) -> None:
     found = fatigue_along(vehicle)
     solo_s = sum(leg.time_s for leg in vehicle.legs if leg.role == "solo")
     model = FatigueModel("monotone", task_relief=1.0)
-    assert found["joint_peak"] == pytest.approx(
+    assert found.joint_peak == pytest.approx(
         float(model.along([min(solo_s, FITTED_RANGE_S[1])])[0]), abs=0.01
     )
-    assert found["joint_peak"] <= found["alone_peak"]
-    assert found["joint"]["hours"][-1] == pytest.approx(vehicle.time_s / 3600, abs=1e-3)
-    assert found["alone"]["beyond"] == (vehicle.alone.time_s > FITTED_RANGE_S[1])
+    assert found.joint_peak <= found.alone_peak
+    assert found.joint.hours[-1] == pytest.approx(vehicle.time_s / 3600, abs=1e-3)
+    assert found.alone.beyond == (vehicle.alone.time_s > FITTED_RANGE_S[1])
 
 
 @browser

@@ -14,8 +14,11 @@ from po_valley import THREE, Journey, make_plan
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.records import JointPlan
 from platoon_osm.report import report_document, write_html
+from platoon_osm.report.document.document import document_of
+from platoon_osm.report.document.model_map import LanePart
 from platoon_osm.report.document.opposite import opposite_gaps
-from platoon_osm.report.drawing.map_view import MapView, bands_width, laid, solo_aside
+from platoon_osm.report.drawing.lines import Line
+from platoon_osm.report.maps.map_view import MapView, bands_width, laid, solo_aside
 
 Visit = Callable[..., Any]
 
@@ -81,12 +84,12 @@ def test_the_document_tells_who_is_met(both_ways: JointPlan, net: RoadNetwork) -
 
 
 def test_the_gap_of_the_map_counts(both_ways: JointPlan, net: RoadNetwork) -> None:
-    view = MapView(report_document(both_ways, net))
-    part = {"slot": 0, "slots": 1, "bands": [], "opposite_m": 0}
+    view = MapView([document_of(both_ways, net)])
+    part = LanePart(Line.rounded((), 1), slot=0, slots=1, bands=(), opposite_m=0)
     assert solo_aside(part, view) == pytest.approx(4.0)
-    assert solo_aside({**part, "opposite_m": None}, view) == 0
+    assert solo_aside(replace(part, opposite_m=None), view) == 0
     # A pixel is some 600 m here, so 300 m are half a pixel, a quarter on either side.
-    assert 3.6 < solo_aside({**part, "opposite_m": 300}, view) < 4.0
+    assert 3.6 < solo_aside(replace(part, opposite_m=300), view) < 4.0
 
 
 def test_short_roads_follow_their_neighbour() -> None:
@@ -145,7 +148,7 @@ def test_bands_lie_apart_on_the_still_map(
 ) -> None:
     page = visit(page_file).page
     page.emulate_media(media="print")
-    x, _ = MapView(report_document(both_ways, net)).at(11.27, 45.47)
+    x, _ = MapView([document_of(both_ways, net)]).at(11.27, 45.47)
     found = page.evaluate(BANDS, ['.static-map path[stroke="#ffd54a"]', x])
     assert found["count"] == 2
     assert found["below"] > 0

@@ -23,6 +23,7 @@ from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.scenario import read_scenario
 from platoon_osm.planning.timing.schedule import with_times
+from platoon_osm.plans.clock import Clock
 from platoon_osm.plans.records import JointPlan
 from platoon_osm.plans.trip import Trip
 from platoon_osm.report import (
@@ -36,7 +37,8 @@ from platoon_osm.report import (
     write_gpx,
     write_html,
 )
-from platoon_osm.report.charts.schedule_chart import LATE, clock_text, hour_ticks
+from platoon_osm.report.drawing.palette import LATE
+from platoon_osm.report.drawing.ticks import hour_ticks
 from platoon_osm.report.markup.fragments import asset, compact_asset
 
 Visit = Callable[..., Any]
@@ -211,15 +213,15 @@ def test_a_timetable_of_other_vehicles_is_refused(day: JointPlan, net: RoadNetwo
     ],
 )
 def test_hours_of_an_axis(begin_h: float, end_h: float, expected: list[str]) -> None:
-    schedule = {"start": "2026-03-02T04:00:00", "since_midnight_s": 4 * 3600.0}
-    ticks = hour_ticks(schedule, (begin_h - 4) * 3600, (end_h - 4) * 3600)
+    clock = Clock.from_text("2026-03-02T04:00:00")
+    ticks = hour_ticks(clock, (begin_h - 4) * 3600, (end_h - 4) * 3600)
     assert [text for _, text in ticks] == expected
 
 
 def test_a_year_has_few_hours_on_its_axis() -> None:
-    schedule = {"start": "2026-03-02T00:00:00", "since_midnight_s": 0.0}
-    assert 3 < len(hour_ticks(schedule, 0, 400 * 86400)) < 10
-    assert clock_text(schedule, -60) == "23:59 -1 d"
+    clock = Clock.from_text("2026-03-02T00:00:00")
+    assert 3 < len(hour_ticks(clock, 0, 400 * 86400)) < 10
+    assert clock.text(-60) == "23:59 -1 d"
 
 
 # -- the page --------------------------------------------------------------------------------------

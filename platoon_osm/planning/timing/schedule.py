@@ -33,13 +33,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ScenarioError
-from ...plans.clock import Clock, duration
+from ...plans.clock import Clock, late_by
 from ...plans.records import JointPlan
 from ...plans.timetable import Timetable, VehicleTimes
 from ...plans.trip import TIMES, Trip, check_one_clock
 from .pieces import Pieces, pieces_of
 
-__all__ = ["ROUTES_GIVEN", "late_by", "schedule", "with_times"]
+__all__ = ["ROUTES_GIVEN", "schedule", "with_times"]
 
 ROUTES_GIVEN = "who merges where was chosen without the clock, and the times are exact for that"
 
@@ -75,11 +75,6 @@ def _lateness(timetable: Timetable) -> Iterator[str]:
             f"not feasible in time: late are at best {who}; give earlier departures, later "
             "arrivals, or other company"
         )
-
-
-def late_by(seconds: float) -> str:
-    """Return a lateness to the minute, never 0."""
-    return duration(seconds) if seconds >= 30 else "less than a minute"
 
 
 def schedule(plan: JointPlan, trips: Sequence[Trip]) -> Timetable | None:

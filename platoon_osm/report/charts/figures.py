@@ -8,7 +8,7 @@ from __future__ import annotations
 import csv
 import os
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,10 +18,22 @@ from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
 from ...plans.records import JointPlan
-from ..document.document import report_document
-from ..drawing.basemap import BASEMAP_STEPS
-from ..drawing.map_texts import placed_callouts, placed_names
-from ..drawing.map_view import (
+from ..document.checks import check_path
+from ..document.document import document_of
+from ..document.model import Document
+from ..document.model_day import DaySchedule, JourneyScale
+from ..document.model_vehicle import Vehicle
+from ..drawing.palette import (
+    FRAME,
+    INK,
+    MUTED,
+    NETWORK,
+    PAPER,
+    PLATOON,
+    PLATOON_CASING,
+)
+from ..maps.map_texts import placed_callouts, placed_names
+from ..maps.map_view import (
     MapView,
     band_aside,
     band_lines,
@@ -29,8 +41,7 @@ from ..drawing.map_view import (
     laid,
     solo_aside,
 )
-from ..drawing.placement import Box, Cover
-from ..drawing.polyline import decode_lines
+from ..maps.placement import Box, Cover
 from ..markup.shown_text import shortened
 from .schedule_figure import COLUMNS, draw_schedule, schedule_rows
 
@@ -38,22 +49,31 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ..drawing.map_texts import Callout
-    from ..drawing.map_view import Point
+    from ..drawing.lines import Point
+    from ..maps.map_texts import Callout
 
 __all__ = ["write_figures"]
 
 FORMATS = ("png", "svg", "pdf")
 WIDTH_IN = 7.2
-INK, MUTED, RULE = "#17202b", "#5a6675", "#dfe4ea"
 
 STYLE: Any = {
-    "font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans"], "font.size": 8,
-    "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": MUTED, "xtick.color": MUTED,
-    "ytick.color": MUTED, "text.parse_math": False, "svg.hashsalt": "platoon_osm",
-    "svg.fonttype": "path", "pdf.fonttype": 42, "axes.formatter.use_mathtext": False,
-    "axes.spines.top": False, "axes.spines.right": False,
-}  # fmt: skip
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.size": 8,
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": MUTED,
+    "xtick.color": MUTED,
+    "ytick.color": MUTED,
+    "text.parse_math": False,
+    "svg.hashsalt": "platoon_osm",
+    "svg.fonttype": "path",
+    "pdf.fonttype": 42,
+    "axes.formatter.use_mathtext": False,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+}
 
 
 def write_figures(
@@ -64,7 +84,7 @@ def write_figures(
     formats: Sequence[str] = FORMATS,
     weights: EdgeWeights | None = None,
 ) -> list[Path]:
-    """Write the figures of a plan into a folder that exists; return their paths.
+    """Write the figures of a plan into a folder that exists.
 
     They are `corridor` (the map), `costs` (bars of cost alone and as planned), `way` (who drives
     with whom, by distance; left out where the plan has no common scale of distance) and, for a
@@ -73,36 +93,58 @@ def write_figures(
 
     Parameters
     ----------
-    formats : of "png" (300 dpi), "svg" and "pdf".
-    weights : see `report_document`.
+    plan : JointPlan
+        What is drawn.
+    net : RoadNetwork
+        The network the plan was made on.
+    folder : path-like
+        Where they are written.
+    formats : sequence of str
+        Of "png" (300 dpi), "svg" and "pdf".
+    weights : EdgeWeights or None
+        Those the plan was made with; see `report_document`.
+
+    Returns
+    -------
+    list of Path
+        What was written.
 
     Raises
     ------
     ScenarioError
         An unknown format, a plan of another network, or a folder that cannot be written to.
     """
-    for wanted in formats:
-        if wanted not in FORMATS:
-            raise ScenarioError(f"figures: format {wanted!r} is unknown; use png, svg or pdf")
-    document = report_document(plan, net, weights=weights)
+    _check_formats(formats)
+    folder = check_path(folder)
+    document = document_of(plan, net, weights=weights)
     written: list[Path] = []
     with _drawing():
         for name, figure in _figures(document):
             for kind in formats:
-                path = Path(folder) / f"{name}.{kind}"
+                path = folder / f"{name}.{kind}"
                 with whole_file(path, suffix=f".{kind}") as draft:
                     figure.savefig(draft, dpi=300, metadata=_METADATA[kind])
                 written.append(path)
-    if document["schedule"]:
-        path = Path(folder) / "schedule.csv"
+    if document.schedule is not None:
+        path = folder / "schedule.csv"
         with (
             whole_file(path, suffix=".csv") as draft,
             draft.open("w", encoding="utf-8", newline="") as handle,
         ):
             table = csv.writer(handle, lineterminator="\n")
-            table.writerows([COLUMNS, *schedule_rows(document)])
+            table.writerows([COLUMNS, *schedule_rows(document, document.schedule)])
         written.append(path)
     return written
+
+
+def _check_formats(formats: object) -> None:
+    if isinstance(formats, str) or not isinstance(formats, Iterable):
+        raise ScenarioError(
+            f'figures: formats {formats!r} is no list; give one such as ["png", "pdf"]'
+        )
+    for wanted in formats:
+        if wanted not in FORMATS:
+            raise ScenarioError(f"figures: format {wanted!r} is unknown; use png, svg or pdf")
 
 
 # A date would make two runs differ.
@@ -124,13 +166,13 @@ def _drawing() -> Iterator[None]:
         yield
 
 
-def _figures(document: dict[str, Any]) -> Iterator[tuple[str, Figure]]:
+def _figures(document: Document) -> Iterator[tuple[str, Figure]]:
     yield "corridor", _corridor(document)
     yield "costs", _costs(document)
-    if document["journey"]:
-        yield "way", _way(document)
-    if document["schedule"]:
-        yield "schedule", _schedule(document)
+    if document.journey is not None:
+        yield "way", _way(document, document.journey)
+    if document.schedule is not None:
+        yield "schedule", _schedule(document, document.schedule)
 
 
 def _axes(height_in: float, layout: Any = "constrained") -> tuple[Figure, Axes]:
@@ -143,31 +185,37 @@ def _axes(height_in: float, layout: Any = "constrained") -> tuple[Figure, Axes]:
 # -- the map ---------------------------------------------------------------------------------------
 
 
-def _corridor(document: dict[str, Any]) -> Figure:
+def _corridor(document: Document) -> Figure:
     """Return the still map of the page, drawn in its pixels."""
     from matplotlib.collections import LineCollection
 
-    view = MapView(document, heights=(320.0, 980.0), margin=44.0)
+    view = MapView([document], heights=(320.0, 980.0), margin=44.0)
     cover = Cover(view.width, view.height)
     figure, axes = _axes(WIDTH_IN * view.height / view.width, layout="none")
     axes.set_position((0.0, 0.0, 1.0, 1.0))
     axes.set_axis_off()
     axes.set_xlim(0, view.width)
     axes.set_ylim(view.height, 0)
-    background = [
-        view.pixels(line) for line in decode_lines(document["basemap"]["known"], BASEMAP_STEPS)
-    ]
-    axes.add_collection(LineCollection(background, colors="#c5ccd5", linewidths=_points(1.6, view)))
+    background = [view.pixels(line) for line in document.basemap.known]
+    axes.add_collection(LineCollection(background, colors=NETWORK, linewidths=_points(1.6, view)))
     _routes(axes, document, view, cover)
     _marks(axes, document, view, cover)
     for one in placed_callouts(document, view, cover):
         _callout(axes, one, view)
     for text, box in placed_names(document, view, cover):
-        axes.text(box.left + box.width / 2, box.top + 9, text, size=_points(11.5, view),
-                  color=MUTED, ha="center", va="center_baseline")  # fmt: skip
-    credit = " \u00b7 ".join(document["provenance"]["credits"])
-    axes.text(view.width - 6, view.height - 6, shortened(credit, 140), ha="right", fontsize=5,
-              color=MUTED)  # fmt: skip
+        axes.text(
+            box.left + box.width / 2,
+            box.top + 9,
+            text,
+            size=_points(11.5, view),
+            color=MUTED,
+            ha="center",
+            va="center_baseline",
+        )
+    credit = " \u00b7 ".join(document.provenance.credits)
+    axes.text(
+        view.width - 6, view.height - 6, shortened(credit, 140), ha="right", fontsize=5, color=MUTED
+    )
     return figure
 
 
@@ -176,54 +224,74 @@ def _points(pixels: float, view: MapView) -> float:
     return pixels * 72 * WIDTH_IN / view.width
 
 
-def _routes(axes: Axes, document: dict[str, Any], view: MapView, cover: Cover) -> None:
-    vehicles = document["vehicles"]
+def _routes(axes: Axes, document: Document, view: MapView, cover: Cover) -> None:
+    vehicles = document.vehicles
 
     def line(points: list[Point], colour: str, pixels: float, **options: Any) -> None:
         xs, ys = zip(*points, strict=True)
         options.setdefault("solid_capstyle", "butt")
         axes.plot(xs, ys, color=colour, linewidth=_points(pixels, view), **options)
 
-    for solo in document["solos"]:
-        vehicle = vehicles[solo["vehicle"]]
-        points = laid(
-            [(view.route(part["line"]), solo_aside(part, view)) for part in solo["parts"]]
-        )
+    for solo in document.solos:
+        vehicle = vehicles[solo.vehicle]
+        points = laid([(view.pixels(part.line), solo_aside(part, view)) for part in solo.parts])
         cover.add_line(points)
-        line(points, "white", 7.0)
-        line(points, vehicle["colour"], 3.6, **_dash(vehicle))
-    for section in document["platoons"]:
-        step, width = band_lines(len(section["vehicles"]))
-        roads = [(view.route(part["line"]), band_aside(part, view)) for part in section["parts"]]
-        asides = [(place - (len(section["vehicles"]) - 1) / 2) * step
-                  for place in range(len(section["vehicles"]))]  # fmt: skip
+        line(points, PAPER, 7.0)
+        line(points, vehicle.colour, 3.6, **_dash(vehicle))
+    for section in document.platoons:
+        step, width = band_lines(len(section.vehicles))
+        roads = [(view.pixels(part.line), band_aside(part, view)) for part in section.parts]
+        asides = [
+            (place - (len(section.vehicles) - 1) / 2) * step
+            for place in range(len(section.vehicles))
+        ]
         middle, *lanes = (
             laid([(road, band + aside) for road, band in roads]) for aside in (0.0, *asides)
         )
-        inner = band_width(len(section["vehicles"]))
-        line(middle, "#8a6a00", inner + 2)
-        line(middle, "#ffd54a", inner)
-        for index, points in zip(section["vehicles"], lanes, strict=True):
+        inner = band_width(len(section.vehicles))
+        line(middle, PLATOON_CASING, inner + 2)
+        line(middle, PLATOON, inner)
+        for index, points in zip(section.vehicles, lanes, strict=True):
             cover.add_line(points, weight=4)
-            line(points, vehicles[index]["colour"], width, **_dash(vehicles[index]))
+            line(points, vehicles[index].colour, width, **_dash(vehicles[index]))
 
 
-def _marks(axes: Axes, document: dict[str, Any], view: MapView, cover: Cover) -> None:
-    for vehicle in document["vehicles"]:
-        for end, shape in (("origin", "o"), ("destination", "s")):
-            x, y = view.at(vehicle[end]["lon"], vehicle[end]["lat"])
+def _marks(axes: Axes, document: Document, view: MapView, cover: Cover) -> None:
+    for vehicle in document.vehicles:
+        for stop, shape in ((vehicle.origin, "o"), (vehicle.destination, "s")):
+            x, y = view.at(stop.lon, stop.lat)
             cover.add_box(Box(x - 10, y - 10, 20, 20))
-            axes.plot(x, y, shape, color=vehicle["colour"], markersize=_points(20, view),
-                      markeredgecolor="white")  # fmt: skip
-            axes.text(x, y, vehicle["letter"], ha="center", va="center_baseline", color="white",
-                      size=_points(11, view), weight="bold")  # fmt: skip
-    for event in document["events"]:
-        x, y = view.at(event["lon"], event["lat"])
+            axes.plot(
+                x,
+                y,
+                shape,
+                color=vehicle.colour,
+                markersize=_points(20, view),
+                markeredgecolor=PAPER,
+            )
+            axes.text(
+                x,
+                y,
+                vehicle.letter,
+                ha="center",
+                va="center_baseline",
+                color=PAPER,
+                size=_points(11, view),
+                weight="bold",
+            )
+    for event in document.events:
+        x, y = view.at(event.lon, event.lat)
         cover.add_box(Box(x - 10, y - 10, 20, 20))
-        merge = event["kind"] == "merge"
-        axes.plot(x, y, "o" if merge else "D", color=INK if merge else "white", zorder=5,
-                  markersize=_points(18 if merge else 15, view),
-                  markeredgecolor="white" if merge else INK)  # fmt: skip
+        merge = event.kind == "merge"
+        axes.plot(
+            x,
+            y,
+            "o" if merge else "D",
+            color=INK if merge else PAPER,
+            zorder=5,
+            markersize=_points(18 if merge else 15, view),
+            markeredgecolor=PAPER if merge else INK,
+        )
 
 
 def _callout(axes: Axes, one: Callout, view: MapView) -> None:
@@ -235,85 +303,103 @@ def _callout(axes: Axes, one: Callout, view: MapView) -> None:
     box = one.box
     axes.add_patch(
         FancyBboxPatch(
-            (box.left, box.top), box.width, box.height, zorder=6, facecolor="white",
-            edgecolor="#c3cad3", linewidth=0.6, boxstyle="round,pad=0,rounding_size=4",
+            (box.left, box.top),
+            box.width,
+            box.height,
+            zorder=6,
+            facecolor=PAPER,
+            edgecolor=FRAME,
+            linewidth=0.6,
+            boxstyle="round,pad=0,rounding_size=4",
         )
-    )  # fmt: skip
-    axes.text(box.left + 8, box.top + 14, one.head, size=_points(11.5, view), weight="bold",
-              zorder=7)  # fmt: skip
+    )
+    axes.text(
+        box.left + 8, box.top + 14, one.head, size=_points(11.5, view), weight="bold", zorder=7
+    )
     axes.text(box.left + 8, box.top + 28, one.line, size=_points(11, view), color=MUTED, zorder=7)
 
 
-def _dash(vehicle: dict[str, Any]) -> dict[str, Any]:
+def _dash(vehicle: Vehicle) -> dict[str, Any]:
     # matplotlib counts dashes in line widths, the page in pixels of a line 3.6 wide.
-    dash = [float(length) / 3.6 for length in vehicle["dash"].split()]
-    return {"linestyle": (0, tuple(dash)), "dash_capstyle": vehicle["cap"]} if dash else {}
+    dash = [float(length) / 3.6 for length in vehicle.dash.split()]
+    return {"linestyle": (0, tuple(dash)), "dash_capstyle": vehicle.cap} if dash else {}
 
 
 # -- charts ----------------------------------------------------------------------------------------
 
 
-def _costs(document: dict[str, Any]) -> Figure:
-    vehicles = document["vehicles"]
+def _costs(document: Document) -> Figure:
+    vehicles = document.vehicles
     figure, axes = _axes(0.9 + 0.42 * len(vehicles))
-    most = max((vehicle["solo_cost"] for vehicle in vehicles), default=1.0) or 1.0
+    most = max((vehicle.solo_cost for vehicle in vehicles), default=1.0) or 1.0
     for row, vehicle in enumerate(vehicles):
-        axes.barh(row - 0.19, vehicle["solo_cost"], 0.36, color="white", edgecolor=MUTED,
-                  hatch="////", linewidth=0.6)  # fmt: skip
-        axes.barh(row + 0.19, vehicle["joint_cost"], 0.36, color=vehicle["colour"])
+        axes.barh(
+            row - 0.19,
+            vehicle.solo_cost,
+            0.36,
+            color=PAPER,
+            edgecolor=MUTED,
+            hatch="////",
+            linewidth=0.6,
+        )
+        axes.barh(row + 0.19, vehicle.joint_cost, 0.36, color=vehicle.colour)
         axes.annotate(
-            f"{vehicle['text']['saved']} ({vehicle['text']['share']})",
-            (max(vehicle["solo_cost"], vehicle["joint_cost"]), row), (5, 0),
-            textcoords="offset points", va="center", fontsize=7,
-        )  # fmt: skip
+            f"{vehicle.text.saved} ({vehicle.text.share})",
+            (max(vehicle.solo_cost, vehicle.joint_cost), row),
+            (5, 0),
+            textcoords="offset points",
+            va="center",
+            fontsize=7,
+        )
     axes.set_xlim(0, most * 1.22)
     axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
     axes.invert_yaxis()
-    label = document["cost_unit"]["label"]
+    label = document.cost_unit.label
     axes.set_xlabel(f"Cost, {label}: hatched alone, coloured as planned")
     # Costs of the document are in the plan's unit; the axis is read in that of the page.
     axes.xaxis.set_major_formatter(_in_unit(document))
     return figure
 
 
-def _in_unit(document: dict[str, Any]) -> Any:
+def _in_unit(document: Document) -> Any:
     from matplotlib.ticker import FuncFormatter
 
-    scale = 1e-3 if document["cost_unit"]["label"] == "km eq." else 1.0
+    scale = document.cost_unit.scale
     return FuncFormatter(lambda value, _: f"{value * scale:,.0f}")
 
 
-def _who(vehicle: dict[str, Any]) -> str:
-    first, last = (shortened(vehicle[end]["name"], 16) for end in ("origin", "destination"))
-    return f"{vehicle['letter']}  {first} \u2013 {last}"
+def _who(vehicle: Vehicle) -> str:
+    first, last = (shortened(stop.name, 16) for stop in (vehicle.origin, vehicle.destination))
+    return f"{vehicle.letter}  {first} \u2013 {last}"
 
 
-def _way(document: dict[str, Any]) -> Figure:
-    vehicles = document["vehicles"]
+def _way(document: Document, scale: JourneyScale) -> Figure:
+    vehicles = document.vehicles
     figure, axes = _axes(0.9 + 0.34 * len(vehicles))
     for row, vehicle in enumerate(vehicles):
-        at = start = document["journey"]["starts_m"][row] / 1000
-        for kind, piece in vehicle["way"]:
-            name = "platoons" if kind == "platoon" else "solos"
-            km = document[name][piece]["length_m"] / 1000
+        at = start = scale.starts_m[row] / 1000
+        for kind, piece in vehicle.way:
+            km = document.piece_m(kind, piece) / 1000
             if kind == "platoon":
-                axes.barh(row, km, 0.6, left=at, color="#ffd54a", edgecolor="#8a6a00",
-                          linewidth=0.4)  # fmt: skip
+                axes.barh(
+                    row, km, 0.6, left=at, color=PLATOON, edgecolor=PLATOON_CASING, linewidth=0.4
+                )
             at += km
-        axes.plot([start, at], [row, row], color=vehicle["colour"], linewidth=2, **_dash(vehicle))
-        axes.plot([at], [row], "s", color=vehicle["colour"], markersize=5)
-    for event in document["events"]:
-        axes.axvline(event["at_m"] / 1000, color=MUTED, linewidth=0.6)
+        axes.plot([start, at], [row, row], color=vehicle.colour, linewidth=2, **_dash(vehicle))
+        axes.plot([at], [row], "s", color=vehicle.colour, markersize=5)
+    for event in document.events:
+        if event.at_m is not None:
+            axes.axvline(event.at_m / 1000, color=MUTED, linewidth=0.6)
     axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
     axes.invert_yaxis()
     axes.set_xlabel("Distance, km; yellow: in the platoon; lines: merges and separations")
     return figure
 
 
-def _schedule(document: dict[str, Any]) -> Figure:
-    vehicles = document["vehicles"]
+def _schedule(document: Document, schedule: DaySchedule) -> Figure:
+    vehicles = document.vehicles
     figure, axes = _axes(0.9 + 0.46 * len(vehicles))
-    draw_schedule(axes, document, [_dash(vehicle) for vehicle in vehicles])
+    draw_schedule(axes, document, schedule, [_dash(vehicle) for vehicle in vehicles])
     axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
     axes.set_ylim(len(vehicles) - 0.4, -0.6)
     return figure

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Any
 
-from .schedule_chart import BEYOND, LATE, hour_ticks
+from ...plans.clock import MENTIONED_S
+from ..document.model import Document
+from ..document.model_day import DaySchedule
+from ..drawing.palette import LATE, MUTED, PAPER, PLATOON, PLATOON_CASING
+from ..drawing.ticks import hour_ticks
+from .schedule_chart import BEYOND
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -14,53 +18,103 @@ if TYPE_CHECKING:
 __all__ = ["COLUMNS", "draw_schedule", "schedule_rows"]
 
 COLUMNS = ("vehicle", "does", "with", "begin", "end", "begin_s", "end_s")
-MUTED = "#5a6675"
 
 
-def draw_schedule(axes: Axes, document: dict[str, Any], dashes: Sequence[dict[str, Any]]) -> None:
-    """Draw a row for each vehicle, from the top, on an axis of hours of the clock."""
-    schedule, vehicles = document["schedule"], document["vehicles"]
+def draw_schedule(
+    axes: Axes, document: Document, schedule: DaySchedule, dashes: Sequence[dict[str, Any]]
+) -> None:
+    """Draw a row for each vehicle, from the top, on an axis of hours of the clock.
+
+    Parameters
+    ----------
+    axes : Axes
+        Of matplotlib.
+    document : Document
+        Whose vehicles they are.
+    schedule : DaySchedule
+        Its day.
+    dashes : sequence of dict
+        How each vehicle's line is dashed, as options of matplotlib.
+    """
+    vehicles = document.vehicles
     for row, (vehicle, dash) in enumerate(zip(vehicles, dashes, strict=True)):
-        times, colour = vehicle["times"], vehicle["colour"]
-        last = times["departure_s"]
-        for (kind, _), (begin, end) in zip(vehicle["way"], times["spans"], strict=True):
-            if begin - last >= 30:
-                axes.barh(row, begin - last, 0.42, left=last, color="white", edgecolor=MUTED,
-                          hatch="//////", linewidth=0.6)  # fmt: skip
+        times, colour = vehicle.day, vehicle.colour
+        last = times.departure_s
+        for (kind, _), (begin, end) in zip(vehicle.way, times.spans, strict=True):
+            if begin - last >= MENTIONED_S:
+                axes.barh(
+                    row,
+                    begin - last,
+                    0.42,
+                    left=last,
+                    color=PAPER,
+                    edgecolor=MUTED,
+                    hatch="//////",
+                    linewidth=0.6,
+                )
             if kind == "platoon":
-                axes.barh(row, end - begin, 0.56, left=begin, color="#ffd54a", edgecolor="#8a6a00",
-                          linewidth=0.4)  # fmt: skip
+                axes.barh(
+                    row,
+                    end - begin,
+                    0.56,
+                    left=begin,
+                    color=PLATOON,
+                    edgecolor=PLATOON_CASING,
+                    linewidth=0.4,
+                )
             axes.plot([begin, end], [row, row], color=colour, linewidth=2, **dash)
             last = end
-        axes.plot([times["departure_s"]], [row], "o", color=colour, markersize=5)
-        axes.plot([times["arrival_s"]], [row], "s", color=colour, markersize=5)
-        late = bool(times["text"]["late"])
+        axes.plot([times.departure_s], [row], "o", color=colour, markersize=5)
+        axes.plot([times.arrival_s], [row], "s", color=colour, markersize=5)
+        late = times.is_late
         for moment, text, ink in (
-            (times["departure_s"], times["text"]["departure"], MUTED),
-            (times["arrival_s"], times["text"]["arrival"], LATE if late else MUTED),
+            (times.departure_s, times.text.departure, MUTED),
+            (times.arrival_s, times.text.arrival, LATE if late else MUTED),
         ):
-            axes.annotate(text, (moment, row), (0, -11), textcoords="offset points", ha="center",
-                          va="center", fontsize=6.5, color=ink)  # fmt: skip
-        latest = times["latest_arrival_s"]
-        span = schedule["end_s"] - schedule["begin_s"]
-        if latest is not None and latest <= schedule["end_s"] + BEYOND * span:
-            axes.plot([latest] * 2, [row - 0.3, row + 0.3], linewidth=1,
-                      color=LATE if late else MUTED)  # fmt: skip
-    ticks = hour_ticks(schedule, schedule["begin_s"], schedule["end_s"])
+            axes.annotate(
+                text,
+                (moment, row),
+                (0, -11),
+                textcoords="offset points",
+                ha="center",
+                va="center",
+                fontsize=6.5,
+                color=ink,
+            )
+        latest = times.latest_arrival_s
+        span = schedule.end_s - schedule.begin_s
+        if latest is not None and latest <= schedule.end_s + BEYOND * span:
+            axes.plot(
+                [latest] * 2, [row - 0.3, row + 0.3], linewidth=1, color=LATE if late else MUTED
+            )
+    ticks = hour_ticks(schedule.clock, schedule.begin_s, schedule.end_s)
     axes.set_xticks([moment for moment, _ in ticks], [text for _, text in ticks])
     axes.set_xlabel(
-        f"Time of day, {schedule['text']['day']}, {schedule['zone']}; yellow: in the platoon; "
+        f"Time of day, {schedule.text.day}, {schedule.zone}; yellow: in the platoon; "
         "hatched: waiting; bar: latest arrival"
     )
 
 
-def schedule_rows(document: dict[str, Any]) -> Iterator[tuple[str, ...]]:
-    """Yield what each vehicle does from when to when, in the order of `COLUMNS`."""
-    start = datetime.fromisoformat(document["schedule"]["start"])
-    vehicles = document["vehicles"]
+def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[tuple[str, ...]]:
+    """Yield what each vehicle does from when to when.
+
+    Parameters
+    ----------
+    document : Document
+        Whose vehicles they are.
+    schedule : DaySchedule
+        Its day.
+
+    Yields
+    ------
+    tuple of str
+        In the order of `COLUMNS`.
+    """
+    clock = schedule.clock
+    vehicles = document.vehicles
 
     def row(letter: str, does: str, company: str, begin: float, end: float) -> tuple[str, ...]:
-        moments = (start + timedelta(seconds=round(at)) for at in (begin, end))
+        moments = (clock.moment(round(at)) for at in (begin, end))
         return (
             letter,
             does,
@@ -71,14 +125,14 @@ def schedule_rows(document: dict[str, Any]) -> Iterator[tuple[str, ...]]:
         )
 
     for index, vehicle in enumerate(vehicles):
-        letter, times = vehicle["letter"], vehicle["times"]
-        last = times["departure_s"]
-        if times["text"]["held"]:
-            yield row(letter, "could have left", "", times["earliest_departure_s"], last)
-        for (kind, piece), (begin, end) in zip(vehicle["way"], times["spans"], strict=True):
+        letter, times = vehicle.letter, vehicle.day
+        last = times.departure_s
+        if times.text.held and times.earliest_departure_s is not None:
+            yield row(letter, "could have left", "", times.earliest_departure_s, last)
+        for (kind, piece), (begin, end) in zip(vehicle.way, times.spans, strict=True):
             if begin - last > 0:
                 yield row(letter, "waits", "", last, begin)
-            company = document["platoons"][piece]["vehicles"] if kind == "platoon" else []
-            others = " ".join(vehicles[i]["letter"] for i in company if i != index)
+            company = document.platoons[piece].vehicles if kind == "platoon" else ()
+            others = " ".join(vehicles[i].letter for i in company if i != index)
             yield row(letter, "in platoon" if others else "alone", others, begin, end)
             last = end

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
-from ..drawing.vehicle_styles import letter_size
+from ...plans.clock import MENTIONED_S
+from ..document.model import Document
+from ..document.model_vehicle import Vehicle
+from ..drawing.crowd import MOST_SPOKEN
 from ..markup.fragments import NOTHING, Markup, fill, join
-from ..markup.quantities import MINUS, litres
+from ..markup.quantities import litres, true_minus
 
 __all__ = ["waiting_bars"]
 
@@ -15,14 +17,29 @@ LEFT, ZERO, RIGHT = 98.0, 160.0, 316.0
 ROW = 28
 
 
-def waiting_bars(document: dict[str, Any], members: Sequence[int], key: str = "") -> Markup:
-    """Return a bar per vehicle; nothing if the plan has no times."""
-    if document["schedule"] is None or not members:
+def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> Markup:
+    """Return a bar per vehicle: fuel saved on one side, time waited on the other.
+
+    Parameters
+    ----------
+    document : Document
+        Whose vehicles they are.
+    members : sequence of int
+        Their positions.
+    key : str
+        Ends the ids in the picture, so that several stand on one page.
+
+    Returns
+    -------
+    Markup
+        An SVG; nothing if the plan has no times, or nobody saves or waits.
+    """
+    if document.schedule is None or not members:
         return NOTHING
-    vehicles = [document["vehicles"][index] for index in members]
-    saved = [vehicle["alone_fuel_l"] - vehicle["fuel_l"] for vehicle in vehicles]
-    waits = [vehicle["times"]["waiting_s"] for vehicle in vehicles]
-    if max(saved) <= 0 and max(waits) < 30:
+    vehicles = [document.vehicles[index] for index in members]
+    saved = [vehicle.alone_fuel_l - vehicle.fuel_l for vehicle in vehicles]
+    waits = [vehicle.day.waiting_s for vehicle in vehicles]
+    if max(saved) <= 0 and max(waits) < MENTIONED_S:
         return NOTHING
     per_litre = (RIGHT - ZERO) / max(*saved, 1e-9)
     per_second = (ZERO - LEFT) / max(*waits, 600.0)
@@ -39,41 +56,47 @@ def waiting_bars(document: dict[str, Any], members: Sequence[int], key: str = ""
         right=ZERO + 6,
         rows=join(rows),
         title="; ".join(
-            f"{vehicle['letter']} {_litres(litre)}, {vehicle['times']['text']['waiting']}"
-            for vehicle, litre in list(zip(vehicles, saved, strict=True))[:12]
+            f"{vehicle.letter} {_litres(litre)}, {vehicle.day.text.waiting}"
+            for vehicle, litre in list(zip(vehicles, saved, strict=True))[:MOST_SPOKEN]
         ),
     )
 
 
-def _row(
-    vehicle: dict[str, Any], fuel_width: float, wait_width: float, litre: float, y: float
-) -> Markup:
+def _row(vehicle: Vehicle, fuel_width: float, wait_width: float, litre: float, y: float) -> Markup:
     shapes: list[Markup] = []
     if fuel_width > 0:
         shapes.append(
-            fill("waiting-fuel", x=ZERO, width=f"{fuel_width:.1f}", colour=vehicle["colour"])
+            fill("waiting-fuel", x=ZERO, width=f"{fuel_width:.1f}", colour=vehicle.colour)
         )
     shapes.append(
         fill(
-            "waiting-text", x=f"{ZERO + max(fuel_width, 0.0) + 6:.1f}", anchor="start",
+            "waiting-text",
+            x=f"{ZERO + max(fuel_width, 0.0) + 6:.1f}",
+            anchor="start",
             text=_litres(litre),
         )
-    )  # fmt: skip
-    if vehicle["times"]["waiting_s"] >= 30:
+    )
+    if vehicle.day.waiting_s >= MENTIONED_S:
         shapes.append(fill("waiting-time", x=f"{ZERO - wait_width:.1f}", width=f"{wait_width:.1f}"))
     else:
         wait_width = 0.0
     shapes.append(
         fill(
-            "waiting-text", x=f"{ZERO - wait_width - 6:.1f}", anchor="end",
-            text=vehicle["times"]["text"]["waiting"],
+            "waiting-text",
+            x=f"{ZERO - wait_width - 6:.1f}",
+            anchor="end",
+            text=vehicle.day.text.waiting,
         )
-    )  # fmt: skip
+    )
     return fill(
-        "waiting-row", y=y, colour=vehicle["colour"], letter=vehicle["letter"],
-        size=letter_size(vehicle["letter"]), shapes=join(shapes),
-    )  # fmt: skip
+        "waiting-row",
+        y=y,
+        colour=vehicle.colour,
+        letter=vehicle.letter,
+        size=vehicle.letter_size,
+        shapes=join(shapes),
+    )
 
 
 def _litres(litre: float) -> str:
-    return litres(litre).replace("-", MINUS)
+    return true_minus(litres(litre))

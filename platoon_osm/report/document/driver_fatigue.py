@@ -7,14 +7,13 @@ while a driver waits.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...costs.fatigue import FITTED_RANGE_S, FatigueModel, driving_clock
 from ...plans.records import VehiclePlan
 from ...plans.timetable import VehicleTimes
+from .model_day import Fatigue, FatigueCurve
 
 __all__ = ["fatigue_along"]
 
@@ -22,10 +21,20 @@ MODEL = FatigueModel("monotone", task_relief=1.0)
 STEP_S = 900.0
 
 
-def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> dict[str, Any]:
-    """Return fatigue alone and as planned, each `hours` and `values`, and the highest of each.
+def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> Fatigue:
+    """Return fatigue alone and as planned, and the highest of each.
 
-    Hours count from the departure; those of waiting count too where `times` are known.
+    Parameters
+    ----------
+    vehicle : VehiclePlan
+        Whose driver is meant.
+    times : VehicleTimes or None
+        Its times, where they are known: then hours of waiting count too.
+
+    Returns
+    -------
+    Fatigue
+        By hours since the departure.
     """
     alone = _curve([("solo", vehicle.alone.time_s)])
     legs: list[tuple[str, float]] = []
@@ -35,24 +44,19 @@ def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> di
             legs.append(("platoon", times.waits[number]))
         legs.append((_role(leg.role), leg.time_s))
     joint = _curve(legs)
-    return {
-        "alone": alone,
-        "joint": joint,
-        "alone_peak": max(alone["values"]),
-        "joint_peak": max(joint["values"]),
-    }
+    return Fatigue(alone, joint, max(alone.values), max(joint.values))
 
 
 def _role(role: str) -> str:
     return "platoon" if role == "platoon" else "solo"
 
 
-def _curve(legs: list[tuple[str, float]]) -> dict[str, Any]:
+def _curve(legs: list[tuple[str, float]]) -> FatigueCurve:
     time_s, clock_s = driving_clock(legs, MODEL.task_relief, STEP_S)
     # Beyond the range of the curves the last value is held: it can only be too low.
     values: NDArray[np.float64] = MODEL.along(np.minimum(clock_s, FITTED_RANGE_S[1]))
-    return {
-        "hours": [round(float(t) / 3600, 3) for t in time_s],
-        "values": [round(float(value), 2) for value in values],
-        "beyond": bool(clock_s[-1] > FITTED_RANGE_S[1]),
-    }
+    return FatigueCurve(
+        hours=tuple(round(float(t) / 3600, 3) for t in time_s),
+        values=tuple(round(float(value), 2) for value in values),
+        beyond=bool(clock_s[-1] > FITTED_RANGE_S[1]),
+    )

@@ -8,47 +8,51 @@ merge and after a separation each is set as far back, or ahead, as the others ar
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
+from itertools import count
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...network.road_network import RoadNetwork
 from ...plans.records import JointPlan, VehiclePlan
-from ...plans.stretches import PlatoonSection, platoon_groups, solo_stretches
+from ...plans.stretches import PlatoonSection
+from .model_day import JourneyScale
 
-__all__ = ["Journey", "journey", "ways"]
+__all__ = ["journey", "rounded", "ways"]
 
 AGREE_M = 100.0
 """How far two sections may put one vehicle apart before no common scale is drawn."""
 
 
-@dataclass(frozen=True, slots=True)
-class Journey:
-    """A common scale of distance.
-
-    Attributes
-    ----------
-    length_m : from where the first vehicle starts to where the last arrives.
-    starts_m : where on the scale each vehicle starts.
-    guide : the vehicle by whose kilometres the scale is read; None if there is no single one.
-    """
-
-    length_m: float
-    starts_m: tuple[float, ...]
-    guide: int | None
-
-
 def journey(
-    plan: JointPlan, net: RoadNetwork, sections: Sequence[PlatoonSection]
-) -> Journey | None:
-    """Return the scale on which vehicles of a platoon are always level; None if there is none.
+    plan: JointPlan,
+    net: RoadNetwork,
+    sections: Sequence[PlatoonSection],
+    groups: Sequence[tuple[int, ...]],
+) -> JourneyScale | None:
+    """Return the scale on which vehicles of a platoon are always level.
 
-    There is none if vehicles that part and meet again drive ways of other length in between.
     Platoons that never meet, and vehicles alone, each begin at 0.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose vehicles they are.
+    net : RoadNetwork
+        Where they drive.
+    sections : sequence of PlatoonSection
+        Stretches of one company.
+    groups : sequence of tuple of int
+        Vehicles that belong together.
+
+    Returns
+    -------
+    JourneyScale or None
+        Not rounded. None if vehicles that part and meet again drive ways of other length in
+        between.
     """
     starts: dict[int, float] = {}
-    groups = platoon_groups(sections, len(plan.vehicles))
     for group in groups:
         own = [section for section in sections if section.vehicles[0] in group]
         found = _level(plan, net, group, own)
@@ -59,7 +63,26 @@ def journey(
     every = tuple(starts.get(index, 0.0) for index in range(len(plan.vehicles)))
     ends = [start + one.length_m for start, one in zip(every, plan.vehicles, strict=True)]
     guide = _guide(plan, groups[0]) if len(groups) == 1 else None
-    return Journey(max(ends), every, 0 if len(plan.vehicles) == 1 else guide)
+    return JourneyScale(max(ends), every, 0 if len(plan.vehicles) == 1 else guide)
+
+
+def rounded(scale: JourneyScale | None) -> JourneyScale | None:
+    """Return a scale to a tenth of a metre, as it is written.
+
+    Parameters
+    ----------
+    scale : JourneyScale or None
+        As it was worked out.
+
+    Returns
+    -------
+    JourneyScale or None
+        The same, rounded.
+    """
+    if scale is None:
+        return None
+    starts = tuple(round(start, 1) for start in scale.starts_m)
+    return replace(scale, length_m=round(scale.length_m, 1), starts_m=starts)
 
 
 def _guide(plan: JointPlan, group: Sequence[int]) -> int:
@@ -98,25 +121,41 @@ def _driven_before(vehicle: VehiclePlan, net: RoadNetwork) -> dict[int, float]:
     return {int(e): float(d) for e, d in zip(edges[::-1], reached[::-1], strict=True)}
 
 
-def ways(plan: JointPlan, sections: Sequence[PlatoonSection]) -> list[list[tuple[str, int]]]:
-    """Return each vehicle's pieces in driving order: ("solo" or "platoon", its position)."""
-    solo_of = iter(range(sum(1 for _ in solo_stretches(plan, sections))))
+def ways(
+    plan: JointPlan, sections: Sequence[PlatoonSection]
+) -> tuple[tuple[tuple[str, int], ...], ...]:
+    """Return each vehicle's pieces in driving order.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose vehicles they are.
+    sections : sequence of PlatoonSection
+        Stretches of one company.
+
+    Returns
+    -------
+    tuple of tuple
+        For each vehicle, "solo" or "platoon" and the position among those, piece by piece.
+    """
+    solo = count()
     section_of = {
         (index, edge): number
         for number, section in enumerate(sections)
         for index in section.vehicles
         for edge in section.edges
     }
-    found: list[list[tuple[str, int]]] = []
+    found: list[tuple[tuple[str, int], ...]] = []
     for index, vehicle in enumerate(plan.vehicles):
         way: list[tuple[str, int]] = []
         for leg in vehicle.legs:
             if leg.role != "platoon" and leg.edges:
-                way.append(("solo", next(solo_of)))
+                # In the order of `solo_stretches`: leg by leg.
+                way.append(("solo", next(solo)))
                 continue
             for edge in leg.edges:
                 piece = section_of.get((index, edge))
                 if piece is not None and way[-1:] != [("platoon", piece)]:
                     way.append(("platoon", piece))
-        found.append(way)
-    return found
+        found.append(tuple(way))
+    return tuple(found)

@@ -34,10 +34,20 @@ GAP_STEP_M = 100
 
 
 def opposite_gaps(net: RoadNetwork, edges: Iterable[int]) -> Mapping[int, int]:
-    """Return how far away, in metres, others of these edges run the other way.
+    """Return how far away others of these edges run the other way.
 
-    Edges that have none beside them, along two of the places looked at or half of them, are left
-    out.
+    Parameters
+    ----------
+    net : RoadNetwork
+        Whose edges they are.
+    edges : iterable of int
+        All that are driven.
+
+    Returns
+    -------
+    mapping of int to int
+        Metres by edge. Edges that have none beside them, along two of the places looked at or
+        half of them, are left out.
     """
     import shapely
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ...network.geodesy import distance_m
 from ...network.road_network import POINT_KINDS, RoadNetwork
+from ..drawing.basemap import BASEMAP_STEPS
 from ..markup.shown_text import shortened, shown
+from .model_map import JunctionLabel, TownLabel
 
 __all__ = ["junction_labels", "town_labels"]
 
@@ -19,35 +19,52 @@ MOST_JUNCTIONS = 4_000
 ONE_JUNCTION_M = 3_000.0
 """Nodes of one name nearer than this are one junction: carriageways, ramps, gates."""
 
-COORDINATE_STEPS = 10_000
 
+def town_labels(net: RoadNetwork) -> tuple[TownLabel, ...]:
+    """Return cities, towns and villages.
 
-def town_labels(net: RoadNetwork) -> list[list[Any]]:
-    """Return cities, towns and villages, the most important first.
+    Parameters
+    ----------
+    net : RoadNetwork
+        Whose points are named.
 
-    Each is [lon, lat, name, rank]: coordinates in 1e-4 degrees; rank 0 city, 1 town, 2 village.
+    Returns
+    -------
+    tuple of TownLabel
+        The most important first.
     """
     city = POINT_KINDS.index("city")
     rows = [
         (int(kind) - city, -int(people), shown(net.texts[int(name)]), float(lon), float(lat))
         for lon, lat, kind, name, people in zip(
-            net.points.lon, net.points.lat, net.points.kind, net.points.name,
-            net.points.population, strict=True,
+            net.points.lon,
+            net.points.lat,
+            net.points.kind,
+            net.points.name,
+            net.points.population,
+            strict=True,
         )
         if kind >= city
-    ]  # fmt: skip
-    return [
-        [_steps(lon), _steps(lat), shortened(name, LONGEST_NAME), rank]
+    ]
+    return tuple(
+        TownLabel(_steps(lon), _steps(lat), shortened(name, LONGEST_NAME), rank)
         for rank, _, name, lon, lat in sorted(rows)[:MOST_TOWNS]
         if name
-    ]
+    )
 
 
-def junction_labels(net: RoadNetwork) -> list[list[Any]]:
-    """Return signed junctions, each [lon, lat, name], coordinates in 1e-4 degrees.
+def junction_labels(net: RoadNetwork) -> tuple[JunctionLabel, ...]:
+    """Return signed junctions; one with an exit number alone is named by it.
 
-    Interchanges, where several roads meet, come first. A junction with an exit number alone is
-    named by it.
+    Parameters
+    ----------
+    net : RoadNetwork
+        Whose nodes are named.
+
+    Returns
+    -------
+    tuple of JunctionLabel
+        Interchanges, where several roads meet, first.
     """
     rows: list[tuple[int, str, float, float]] = []
     kept: dict[str, list[tuple[float, float]]] = {}
@@ -60,11 +77,11 @@ def junction_labels(net: RoadNetwork) -> list[list[Any]]:
         same.append((lon, lat))
         roads = len(net.incident_refs(int(node)))
         rows.append((-roads, name, lon, lat))
-    return [
-        [_steps(lon), _steps(lat), shortened(name, LONGEST_NAME)]
+    return tuple(
+        JunctionLabel(_steps(lon), _steps(lat), shortened(name, LONGEST_NAME))
         for _, name, lon, lat in sorted(rows)[:MOST_JUNCTIONS]
-    ]
+    )
 
 
 def _steps(degrees: float) -> int:
-    return round(degrees * COORDINATE_STEPS)
+    return round(degrees * BASEMAP_STEPS)

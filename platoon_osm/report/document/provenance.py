@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 from ...network.road_network import RoadNetwork
 from ...plans.records import JointPlan
-from ..markup.quantities import CostUnit, cost_unit, percent
+from ..markup.quantities import CostUnit, percent
 from ..markup.shown_text import fitted, shown
+from .model import LabelledText, Provenance
 
 __all__ = ["OSM_CREDIT", "credits", "proof_text", "provenance"]
 
@@ -20,32 +20,57 @@ METHODS = {"dijkstra": "Dijkstra", "astar": "A*"}
 PROOF_KEYS = frozenset({"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum"})
 
 
-def provenance(plan: JointPlan, net: RoadNetwork) -> dict[str, Any]:
-    """Return the provenance part of a report document: rows of label and text, and credits."""
+def provenance(plan: JointPlan, net: RoadNetwork, unit: CostUnit) -> Provenance:
+    """Return where a plan comes from.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        The plan.
+    net : RoadNetwork
+        The network it was made on.
+    unit : CostUnit
+        How its costs are printed.
+
+    Returns
+    -------
+    Provenance
+        Rows, proof, remarks and credits.
+    """
     identity = plan.network
     extracted = identity.extracted or net.source.extracted
     network = f"{identity.name}, {identity.nodes:,} nodes, {identity.edges:,} edges"
-    rows = [
-        ["Network", network],
-        ["Data of", _day(extracted)],
-        ["sha256", identity.sha256],
-        ["Graph", identity.identity],
-        ["Method", _method(plan)],
-        ["Costs", ", ".join(_parameters(plan.params))],
-        ["Made by", f"platoon_osm {plan.version}".strip()],
-    ]
-    return {
-        "rows": [[label, fitted(text)] for label, text in rows if text],
-        "proof": fitted(proof_text(plan.proof, cost_unit(plan.unit))),
-        "remarks": [fitted(remark) for remark in plan.remarks],
-        "credits": credits(plan, net),
-    }
+    rows = (
+        ("Network", network),
+        ("Data of", _day(extracted)),
+        ("sha256", identity.sha256),
+        ("Graph", identity.identity),
+        ("Method", _method(plan)),
+        ("Costs", ", ".join(_parameters(plan.params))),
+        ("Made by", f"platoon_osm {plan.version}".strip()),
+    )
+    return Provenance(
+        rows=tuple(LabelledText(label, fitted(text)) for label, text in rows if text),
+        proof=fitted(proof_text(plan.proof, unit)),
+        remarks=tuple(fitted(remark) for remark in plan.remarks),
+        credits=credits(plan, net),
+    )
 
 
-def credits(plan: JointPlan, net: RoadNetwork) -> list[str]:
+def credits(plan: JointPlan, net: RoadNetwork) -> tuple[str, ...]:
     """Return who is to be named with the map, on every page and in every file.
 
-    The source's own words come first. OpenStreetMap is named too, unless those words already do.
+    Parameters
+    ----------
+    plan : JointPlan
+        It names its network's source.
+    net : RoadNetwork
+        So does this.
+
+    Returns
+    -------
+    tuple of str
+        The source's own words first; OpenStreetMap too, unless those words already name it.
     """
     lines: list[str] = []
     for source in (net.source, plan.network):
@@ -54,11 +79,24 @@ def credits(plan: JointPlan, net: RoadNetwork) -> list[str]:
             lines.append(fitted(own))
     if not any("openstreetmap" in line.casefold() for line in lines):
         lines.append(OSM_CREDIT)
-    return lines
+    return tuple(lines)
 
 
-def proof_text(proof: Mapping[str, Any], unit: CostUnit) -> str:
-    """Return in a sentence how good a plan is known to be."""
+def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
+    """Return in a sentence how good a plan is known to be.
+
+    Parameters
+    ----------
+    proof : mapping of str to object
+        As the plan holds it.
+    unit : CostUnit
+        How its costs are printed.
+
+    Returns
+    -------
+    str
+        The sentence; empty if nothing is known.
+    """
     kind = shown(proof.get("kind", ""))
     bound, gap = _number(proof, "bound"), _number(proof, "gap")
     excess, optimum = _number(proof, "excess"), _number(proof, "optimum")
@@ -97,7 +135,7 @@ def _day(moment: str) -> str:
     return day if t and len(day) == 10 else moment
 
 
-def _sentences(value: Any) -> list[str]:
+def _sentences(value: object) -> list[str]:
     if not value:
         return []
     if isinstance(value, list | tuple):
@@ -105,7 +143,7 @@ def _sentences(value: Any) -> list[str]:
     return [shown(value)]
 
 
-def _number(proof: Mapping[str, Any], name: str) -> float | None:
+def _number(proof: Mapping[str, object], name: str) -> float | None:
     value = proof.get(name)
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
@@ -118,13 +156,13 @@ def _method(plan: JointPlan) -> str:
     return f"case {plan.case}{asked}, least cost of the {plan.objective}, {method}"
 
 
-def _parameters(params: Mapping[str, Any]) -> Iterator[str]:
+def _parameters(params: Mapping[str, object]) -> Iterator[str]:
     for name, value in params.items():
         if value is not None:
             yield f"{name} = {_value(value)}"
 
 
-def _value(value: Any) -> str:
+def _value(value: object) -> str:
     if isinstance(value, float):
         return f"{value:.6g}"
     if isinstance(value, list | tuple):

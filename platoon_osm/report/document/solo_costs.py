@@ -12,7 +12,7 @@ from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
 from ...plans.records import JointPlan
 
-__all__ = ["known_weights"]
+__all__ = ["known_weights", "sum_over"]
 
 SAME_COST = 1e-6
 
@@ -20,17 +20,35 @@ SAME_COST = 1e-6
 def known_weights(
     plan: JointPlan, net: RoadNetwork, weights: EdgeWeights | None = None
 ) -> EdgeWeights | None:
-    """Return the edge weights that a plan was made with, or None if they cannot be told.
+    """Return the edge weights that a plan was made with.
 
     The paper's preset is made again from the parameters in the plan; other weights must be handed
     in. Either is believed only if it gives back the costs in the plan.
 
+    Parameters
+    ----------
+    plan : JointPlan
+        The plan.
+    net : RoadNetwork
+        The network it was made on.
+    weights : EdgeWeights or None
+        Those it was made with, if at hand.
+
+    Returns
+    -------
+    EdgeWeights or None
+        None if they cannot be told.
+
     Raises
     ------
     ScenarioError
-        Weights handed in that do not give the costs of the plan.
+        What is handed in are no weights, or do not give the costs of the plan.
     """
     if weights is not None:
+        if not isinstance(weights, EdgeWeights):
+            raise ScenarioError(
+                "report: the weights are none; hand in those the plan was made with, or None"
+            )
         if not _gives_the_costs(weights, plan, net):
             raise ScenarioError(
                 "report: the weights do not give the costs in the plan; hand in those it was "
@@ -58,5 +76,18 @@ def _gives_the_costs(weights: EdgeWeights, plan: JointPlan, net: RoadNetwork) ->
 
 
 def sum_over(values: NDArray[np.float64], edges: tuple[int, ...]) -> float:
-    """Return the sum of an edge array, (m,), over a path of edges."""
+    """Return the sum of an edge array over a path.
+
+    Parameters
+    ----------
+    values : array of float, (m,)
+        One for each edge.
+    edges : tuple of int
+        The path.
+
+    Returns
+    -------
+    float
+        In the unit of the array; 0 without edges.
+    """
     return float(values[np.asarray(edges, np.int64)].sum()) if edges else 0.0

@@ -6,51 +6,72 @@ Only plans with a timetable have one; nothing here invents a time.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from ...network.road_network import RoadNetwork
-from ...planning.timing.schedule import late_by
-from ...plans.clock import Clock, duration
+from ...plans.clock import MENTIONED_S, Clock, duration, late_by
 from ...plans.events import Event
 from ...plans.records import JointPlan, VehiclePlan
 from ...plans.stretches import PlatoonSection
 from ...plans.timetable import VehicleTimes
+from .model_day import DaySchedule, DayTexts, VehicleDay, VehicleDayTexts
 
-__all__ = ["MENTIONED_S", "event_time", "timeline", "vehicle_day", "waits_at"]
-
-MENTIONED_S = 30.0
-"""A wait shorter than this is 0 min on every page, and not mentioned."""
+__all__ = ["event_time", "timeline", "vehicle_day", "waits_at"]
 
 
-def timeline(plan: JointPlan) -> dict[str, Any] | None:
-    """Return what holds for the whole day; None if the plan has no times."""
+def timeline(plan: JointPlan) -> DaySchedule | None:
+    """Return what holds for the whole day.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose day it is.
+
+    Returns
+    -------
+    DaySchedule or None
+        None if the plan has no times.
+    """
     table = plan.timetable
     if table is None:
         return None
     clock = table.clock
     begin = min(times.departure_s for times in table.vehicles)
     end = max(times.arrival_s for times in table.vehicles)
-    return {
-        "start": table.start,
-        "zone": clock.zone,
-        "since_midnight_s": round(clock.since_midnight_s, 1),
-        "begin_s": round(begin, 1),
-        "end_s": round(end, 1),
-        "waiting_s": round(table.waiting_s, 1),
-        "feasible": table.feasible,
-        "text": {
-            "day": clock.moment(begin).strftime("%Y-%m-%d"),
-            "waiting": duration(table.waiting_s),
-        },
-    }
+    return DaySchedule(
+        start=table.start,
+        zone=clock.zone,
+        since_midnight_s=round(clock.since_midnight_s, 1),
+        begin_s=round(begin, 1),
+        end_s=round(end, 1),
+        waiting_s=round(table.waiting_s, 1),
+        feasible=table.feasible,
+        text=DayTexts(clock.moment(begin).strftime("%Y-%m-%d"), duration(table.waiting_s)),
+    )
 
 
 def vehicle_day(
     plan: JointPlan, index: int, net: RoadNetwork, sections: Sequence[PlatoonSection]
-) -> dict[str, Any] | None:
-    """Return one vehicle's times; None if the plan has none."""
+) -> VehicleDay | None:
+    """Return one vehicle's times.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose vehicle it is.
+    index : int
+        Its position in the plan.
+    net : RoadNetwork
+        Where it drives.
+    sections : sequence of PlatoonSection
+        Stretches of one company.
+
+    Returns
+    -------
+    VehicleDay or None
+        None if the plan has no times.
+    """
     table = plan.timetable
     if table is None:
         return None
@@ -58,38 +79,41 @@ def vehicle_day(
     asked = (times.earliest_departure_s, times.latest_departure_s, times.latest_arrival_s)
     earliest, latest, arrival = (None if at is None else round(at, 1) for at in asked)
     spans = _spans(plan.vehicles[index], index, times, net, sections)
-    return {
-        "departure_s": round(times.departure_s, 1),
-        "arrival_s": round(times.arrival_s, 1),
-        "earliest_departure_s": earliest,
-        "latest_departure_s": latest,
-        "latest_arrival_s": arrival,
-        "waiting_s": round(times.waiting_s, 1),
-        "held_s": round(times.held_s, 1),
-        "late_s": round(times.late_s, 1),
+    return VehicleDay(
+        departure_s=round(times.departure_s, 1),
+        arrival_s=round(times.arrival_s, 1),
+        earliest_departure_s=earliest,
+        latest_departure_s=latest,
+        latest_arrival_s=arrival,
+        waiting_s=round(times.waiting_s, 1),
+        held_s=round(times.held_s, 1),
+        late_s=round(times.late_s, 1),
         # A tenth of a second is 2 m of road.
-        "spans": [[round(begin, 1), round(end, 1)] for begin, end in spans],
-        "text": _texts(times, table.clock),
-    }
+        spans=tuple((round(begin, 1), round(end, 1)) for begin, end in spans),
+        text=_texts(times, table.clock),
+    )
 
 
-def _texts(times: VehicleTimes, clock: Clock) -> dict[str, str]:
+def _texts(times: VehicleTimes, clock: Clock) -> VehicleDayTexts:
     earliest, latest = times.earliest_departure_s, times.latest_arrival_s
-    return {
-        "departure": clock.text(times.departure_s),
-        "arrival": clock.text(times.arrival_s),
-        "earliest": "" if earliest is None else clock.text(earliest),
-        "latest": "" if latest is None else clock.text(latest),
-        "waiting": duration(times.waiting_s),
-        "held": duration(times.held_s) if times.held_s >= MENTIONED_S else "",
-        "late": late_by(times.late_s) if times.late_s else "",
-    }
+    return VehicleDayTexts(
+        departure=clock.text(times.departure_s),
+        arrival=clock.text(times.arrival_s),
+        earliest="" if earliest is None else clock.text(earliest),
+        latest="" if latest is None else clock.text(latest),
+        waiting=duration(times.waiting_s),
+        held=duration(times.held_s) if times.held_s >= MENTIONED_S else "",
+        late=late_by(times.late_s) if times.late_s else "",
+    )
 
 
 def _spans(
-    vehicle: VehiclePlan, index: int, times: VehicleTimes, net: RoadNetwork,
+    vehicle: VehiclePlan,
+    index: int,
+    times: VehicleTimes,
+    net: RoadNetwork,
     sections: Sequence[PlatoonSection],
-) -> list[tuple[float, float]]:  # fmt: skip
+) -> list[tuple[float, float]]:
     """Return when each piece of `ways` begins and ends."""
     section_of = {
         edge: number
@@ -123,7 +147,20 @@ def _spans(
 
 
 def event_time(plan: JointPlan, event: Event) -> float | None:
-    """Return when vehicles join or leave [s]; None if the plan has no times."""
+    """Return when vehicles join or leave.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose vehicles they are.
+    event : Event
+        A merge or a separation.
+
+    Returns
+    -------
+    float or None
+        In seconds from the start of the timetable; None if the plan has no times.
+    """
     if plan.timetable is None:
         return None
     mover = event.movers[0]
@@ -134,9 +171,23 @@ def event_time(plan: JointPlan, event: Event) -> float | None:
     return legs[places[0]][0] if event.kind == "merge" else legs[places[-1]][1]
 
 
-def waits_at(plan: JointPlan, event: Event) -> list[tuple[int, float]]:
-    """Return who waits for whom to join, and how long [s]: those who are not worth telling not."""
-    at = event_time(plan, event)
+def waits_at(plan: JointPlan, event: Event, at: float | None) -> list[tuple[int, float]]:
+    """Return who waits for others to join, as far as it is worth telling.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose vehicles they are.
+    event : Event
+        A merge; nobody waits for a separation.
+    at : float or None
+        When it is [s], as `event_time` tells.
+
+    Returns
+    -------
+    list of tuple of int and float
+        The position of each vehicle, and how long it waits [s].
+    """
     if plan.timetable is None or at is None or event.kind != "merge":
         return []
     found: list[tuple[int, float]] = []

@@ -1,1 +1,1 @@
-"""Maps: lines, places, marks and texts, and how vehicles are told apart."""
+"""What drawings are made of: lines, colours and letters, and how vehicles are told apart."""

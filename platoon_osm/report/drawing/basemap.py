@@ -1,4 +1,4 @@
-"""The motorway network as a background: simplified, joined into long lines, encoded."""
+"""The motorway network as a background, and routes on it: simplified, joined, rounded."""
 
 from __future__ import annotations
 
@@ -10,12 +10,17 @@ from numpy.typing import NDArray
 from ...network.geodesy import metres_per_degree
 from ...network.road_network import RoadNetwork
 from ...network.shapes import ragged_order
-from .polyline import encode_lines, encode_polyline
+from .lines import Line, Lines
 
 __all__ = [
-    "BASEMAP_STEPS", "ROUTE_STEPS", "basemap_lines", "encoded_basemap", "encoded_route",
+    "BASEMAP_STEPS",
+    "ROUTE_STEPS",
+    "ROUTE_TOLERANCE_M",
+    "basemap_lines",
     "metre_scale",
-]  # fmt: skip
+    "network_lines",
+    "route_line",
+]
 
 BASEMAP_STEPS = 10_000
 """Steps per degree of background lines: 11 m, finer than a screen shows of a country."""
@@ -27,37 +32,72 @@ BASEMAP_TOLERANCE_M = 20.0
 ROUTE_TOLERANCE_M = 8.0
 
 
-def encoded_basemap(net: RoadNetwork) -> dict[str, str]:
-    """Return the network's lines, `known` from the map and `inferred` by the loader, encoded."""
-    parts = {"known": ~net.inferred, "inferred": net.inferred}
-    return {
-        label: encode_lines(
-            basemap_lines(net, np.flatnonzero(chosen), BASEMAP_TOLERANCE_M), BASEMAP_STEPS
-        )
-        for label, chosen in parts.items()
-    }
+def network_lines(net: RoadNetwork, *, inferred: bool) -> Lines:
+    """Return the network as a background.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        What is drawn.
+    inferred : bool
+        Whether the roads that the loader inferred are meant, or those known from the map.
+
+    Returns
+    -------
+    Lines
+        Simplified, joined and rounded.
+    """
+    chosen = np.flatnonzero(net.inferred if inferred else ~net.inferred)
+    return Lines.rounded(basemap_lines(net, chosen, BASEMAP_TOLERANCE_M), BASEMAP_STEPS)
 
 
-def encoded_route(net: RoadNetwork, edges: tuple[int, ...]) -> str:
-    """Return one encoded line along edges in driving order; empty text without edges."""
+def route_line(net: RoadNetwork, edges: tuple[int, ...]) -> Line:
+    """Return one line along edges in driving order.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        Whose edges they are.
+    edges : tuple of int
+        Each begins where the one before ends.
+
+    Returns
+    -------
+    Line
+        Simplified and rounded; without points if there are no edges.
+    """
     if not edges:
-        return ""
+        return Line.rounded((), ROUTE_STEPS)
     points = net.path_shape(edges)
     import shapely
 
     scale = metre_scale(net)
     line = shapely.simplify(shapely.linestrings(points * scale), ROUTE_TOLERANCE_M)
-    return encode_polyline(shapely.get_coordinates(line) / scale, ROUTE_STEPS)
+    return Line.rounded(shapely.get_coordinates(line) / scale, ROUTE_STEPS)
 
 
 def basemap_lines(
     net: RoadNetwork, edges: NDArray[np.int64], tolerance_m: float, directed: bool = False
 ) -> list[NDArray[np.float64]]:
-    """Return the lines of some edges, each (k, 2) lon and lat.
+    """Return the lines of some edges, joined where no third one meets them, then simplified.
 
-    A road that carries two edges of one shape, there and back, is drawn once. Lines meeting where
-    no third one does are joined, then simplified to within `tolerance_m` metres, ends kept. If
-    `directed`, both ways are drawn, and lines run as they are driven.
+    A road that carries two edges of one shape, there and back, is drawn once, unless `directed`.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        Whose edges they are.
+    edges : array of int, (k,)
+        Edges to draw, each once.
+    tolerance_m : float
+        How far a line may leave its road [m]; its ends stay.
+    directed : bool
+        Whether both ways are drawn, and lines run as they are driven.
+
+    Returns
+    -------
+    list of array of float, (k, 2)
+        Longitude and latitude of each line in degrees.
     """
     import shapely
 
@@ -75,7 +115,18 @@ def basemap_lines(
 
 
 def metre_scale(net: RoadNetwork) -> NDArray[np.float64]:
-    """Return metres per degree of longitude and latitude in the middle of the network."""
+    """Return metres per degree in the middle of a network.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+
+    Returns
+    -------
+    array of float, (2,)
+        Along longitude and along latitude.
+    """
     middle = float((net.lat.min() + net.lat.max()) / 2) if net.n else 0.0
     per_lon, per_lat = metres_per_degree(middle)
     return np.array([float(per_lon), float(per_lat)])

@@ -7,35 +7,56 @@ References
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["decode_lines", "decode_polyline", "encode_lines", "encode_polyline"]
+__all__ = ["decode_lines", "decode_polyline", "encode_polyline", "encode_steps", "rounded_steps"]
+
+Ints = NDArray[np.int64]
 
 
-ROWS_PER_DEGREE = 8
+def rounded_steps(lonlat: ArrayLike, steps_per_degree: int) -> Ints:
+    """Return points as whole steps.
 
+    Points that round to the one before are left out, but a line keeps two points at least.
 
-def encode_polyline(
-    lonlat: ArrayLike, steps_per_degree: int, origin: tuple[int, int] = (0, 0)
-) -> str:
-    """Encode points, (k, 2) lon and lat in degrees, rounded to 1 / `steps_per_degree`.
+    Parameters
+    ----------
+    lonlat : array_like of float, (k, 2)
+        Longitude and latitude in degrees.
+    steps_per_degree : int
+        What they are rounded to.
 
-    Latitude comes first in the text, as in [1]_. Points that round to the one before are left
-    out, but a line keeps two points at least. `origin`, (lat, lon) in steps, is where the line's
-    first point is counted from.
+    Returns
+    -------
+    array of int, (j, 2)
+        Longitude and latitude in steps.
     """
-    points = np.rint(np.asarray(lonlat, np.float64)[:, ::-1] * steps_per_degree).astype(np.int64)
+    flat = np.asarray(lonlat, np.float64).reshape(-1, 2)
+    points = np.rint(flat * steps_per_degree).astype(np.int64)
     if len(points) > 2:
         moved = np.ones(len(points), bool)
         moved[1:] = (points[1:] != points[:-1]).any(axis=1)
         points = points[moved] if moved.sum() > 1 else points[:2]
-    return _text_of(np.diff(points, axis=0, prepend=[origin]).ravel())
+    return points
 
 
-def _text_of(steps: NDArray[np.int64]) -> str:
+def encode_steps(points: Ints, origin: tuple[int, int] = (0, 0)) -> str:
+    """Encode points that are whole steps; latitude comes first in the text, as in [1]_.
+
+    Parameters
+    ----------
+    points : array of int, (k, 2)
+        Longitude and latitude in steps.
+    origin : tuple of int
+        Longitude and latitude that the first point is counted from.
+
+    Returns
+    -------
+    str
+        The line; empty without points.
+    """
+    steps = np.diff(points, axis=0, prepend=[origin])[:, ::-1].ravel()
     # The sign moves to the lowest bit, then five bits a character, lowest first.
     numbers = np.where(steps < 0, ~(steps << 1), steps << 1).tolist()
     out: list[str] = []
@@ -47,26 +68,39 @@ def _text_of(steps: NDArray[np.int64]) -> str:
     return "".join(out)
 
 
-def encode_lines(lines: Iterable[ArrayLike], steps_per_degree: int) -> str:
-    """Encode many lines as one text, with blanks between them.
+def encode_polyline(lonlat: ArrayLike, steps_per_degree: int) -> str:
+    """Encode points, rounded to 1 / `steps_per_degree`.
 
-    Each line is counted from the first point of the one before, and they come in rows from south
-    to north, so that these steps are short.
+    Parameters
+    ----------
+    lonlat : array_like of float, (k, 2)
+        Longitude and latitude in degrees.
+    steps_per_degree : int
+        What they are rounded to.
+
+    Returns
+    -------
+    str
+        The line.
     """
-    rows: list[tuple[tuple[int, int, int], ArrayLike]] = []
-    for line in lines:
-        lon, lat = np.rint(np.asarray(line, np.float64)[0] * steps_per_degree).astype(int).tolist()
-        rows.append(((lat * ROWS_PER_DEGREE // steps_per_degree, lon, lat), line))
-    out: list[str] = []
-    origin = (0, 0)
-    for (_, lon, lat), line in sorted(rows, key=lambda row: (row[0], np.asarray(row[1]).tobytes())):
-        out.append(encode_polyline(line, steps_per_degree, origin))
-        origin = (lat, lon)
-    return " ".join(out)
+    return encode_steps(rounded_steps(lonlat, steps_per_degree))
 
 
 def decode_lines(text: str, steps_per_degree: int) -> list[list[tuple[float, float]]]:
-    """Return the lines of a text, each as (lon, lat) points; the reverse of `encode_lines`."""
+    """Return the lines of a text, each counted from the first point of the one before.
+
+    Parameters
+    ----------
+    text : str
+        Lines with blanks between them, as a document holds them.
+    steps_per_degree : int
+        What they were rounded to.
+
+    Returns
+    -------
+    list of list of tuple of float
+        The (lon, lat) points of each line in degrees.
+    """
     found: list[list[tuple[float, float]]] = []
     lon = lat = 0.0
     for line in text.split():
@@ -77,7 +111,20 @@ def decode_lines(text: str, steps_per_degree: int) -> list[list[tuple[float, flo
 
 
 def decode_polyline(text: str, steps_per_degree: int) -> list[tuple[float, float]]:
-    """Return the (lon, lat) points of an encoded line; the reverse of `encode_polyline`."""
+    """Return the points of an encoded line; the reverse of `encode_polyline`.
+
+    Parameters
+    ----------
+    text : str
+        One line, as a document holds it.
+    steps_per_degree : int
+        What it was rounded to.
+
+    Returns
+    -------
+    list of tuple of float
+        Its (lon, lat) points in degrees.
+    """
     numbers: list[int] = []
     value = shift = 0
     for character in text:

@@ -6,28 +6,43 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..markup.shown_text import shown
+from .palette import VEHICLES
 
 __all__ = ["VehicleStyle", "letter_size", "vehicle_styles"]
-
-# All keep 4.5:1 against white, so that a white letter reads on them and they read on paper;
-# neighbours in the list differ for the three common kinds of colour blindness.
-COLOURS = (
-    "#0072b2", "#c14900", "#007a5a", "#8f3c97", "#7a5a00", "#b3124f", "#4152c4", "#4d5560",
-)  # fmt: skip
 
 # Seven dashes and eight colours: 56 vehicles before a pair of them returns.
 # The cap of dots is round, or they would be specks.
 DASHES = (
-    ("", "butt"), ("9 5", "butt"), ("2 6", "round"), ("14 4 2 4", "butt"), ("5 4", "butt"),
-    ("18 6", "butt"), ("9 4 2 4 2 4", "butt"),
-)  # fmt: skip
+    ("", "butt"),
+    ("9 5", "butt"),
+    ("2 6", "round"),
+    ("14 4 2 4", "butt"),
+    ("5 4", "butt"),
+    ("18 6", "butt"),
+    ("9 4 2 4 2 4", "butt"),
+)
 
 LONGEST_LETTER = 2
+
+LETTER_SIZES = (11.0, 9.0, 8.0)
+"""Of one letter, two, and more, so that they fit their disc."""
 
 
 @dataclass(frozen=True, slots=True)
 class VehicleStyle:
-    """Letter, stroke colour, dash array (empty: solid) and line cap of one vehicle."""
+    """How one vehicle looks in every picture.
+
+    Attributes
+    ----------
+    letter : str
+        What it is called there.
+    colour : str
+        Of its line and its disc.
+    dash : str
+        SVG dash array; empty if its line is solid.
+    cap : str
+        SVG line cap.
+    """
 
     letter: str
     colour: str
@@ -36,9 +51,19 @@ class VehicleStyle:
 
 
 def vehicle_styles(names: Sequence[str]) -> list[VehicleStyle]:
-    """Return the style of each vehicle, in order.
+    """Return the style of each vehicle.
 
     Short names serve as letters themselves; otherwise letters run A to Z, AA, AB and on.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the vehicles.
+
+    Returns
+    -------
+    list of VehicleStyle
+        In the order of the names.
     """
     plain = [shown(name) for name in names]
     serve = len(set(plain)) == len(plain) and all(
@@ -47,7 +72,7 @@ def vehicle_styles(names: Sequence[str]) -> list[VehicleStyle]:
     return [
         VehicleStyle(
             plain[i] if serve else _letters(i),
-            COLOURS[i % len(COLOURS)],
+            VEHICLES[i % len(VEHICLES)],
             *DASHES[i % len(DASHES)],
         )
         for i in range(len(plain))
@@ -63,6 +88,17 @@ def _letters(index: int) -> str:
     return text
 
 
-def letter_size(letter: str) -> str:
-    """Return the type size at which a vehicle's letter, or two, fits its disc."""
-    return "11" if len(letter) == 1 else "9"
+def letter_size(letter: str) -> float:
+    """Return the type size at which a vehicle's letter, or a count, fits its disc.
+
+    Parameters
+    ----------
+    letter : str
+        One letter or more.
+
+    Returns
+    -------
+    float
+        In pixels.
+    """
+    return LETTER_SIZES[min(max(len(letter), 1), len(LETTER_SIZES)) - 1]

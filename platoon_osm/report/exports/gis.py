@@ -10,20 +10,21 @@ import numpy as np
 
 from ...atomic_file import whole_file
 from ...network.road_network import ROAD_CLASSES, RoadNetwork
-from ...plans.events import platoon_events
+from ...plans.events import Event, platoon_events
 from ...plans.records import JointPlan
-from ...plans.stretches import platoon_sections
-from ..document.document import check_plan
+from ...plans.stretches import PlatoonSection, platoon_sections
+from ..document.checks import check_path
 from ..document.provenance import credits, proof_text
 from ..document.solo_costs import sum_over
 from ..document.timeline import event_time
 from ..markup.quantities import cost_unit
 from ..markup.shown_text import shown
+from .legs import leg_columns, leg_rows, roads_of
 
 if TYPE_CHECKING:
     import geopandas
 
-__all__ = ["leg_table", "to_geodataframe", "write_geopackage"]
+__all__ = ["to_geodataframe", "write_geopackage"]
 
 CRS = "EPSG:4326"
 
@@ -36,46 +37,25 @@ def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame
     start_time and end_time (ISO 8601) and waiting_s, the wait before the leg. Legs without road
     are left out.
 
+    Parameters
+    ----------
+    plan : JointPlan
+        Whose legs they are.
+    net : RoadNetwork
+        The network it was made on.
+
+    Returns
+    -------
+    geopandas.GeoDataFrame
+        Lines with their columns.
+
     Raises
     ------
     ScenarioError
         A plan of another network.
     """
-    columns, lines = leg_table(plan, net)
-    return _lines_frame(columns, lines)
-
-
-def leg_table(plan: JointPlan, net: RoadNetwork) -> tuple[dict[str, list[Any]], list[Any]]:
-    """Return the columns of `to_geodataframe` and the line of each row, (k, 2) lon and lat."""
-    check_plan(plan, net)
-    credit = " \u00b7 ".join(credits(plan, net))
-    columns: dict[str, list[Any]] = {
-        name: []
-        for name in (
-            "vehicle", "vehicle_role", "leg", "role", "partners", "origin", "destination", "roads",
-            "length_m", "time_s", "fuel_l", "cost", "cost_unit", "inferred_m", "attribution",
-        )
-    }  # fmt: skip
-    if plan.timetable is not None:
-        columns |= {name: [] for name in ("start_time", "end_time", "waiting_s")}
-    lines: list[Any] = []
-    for vehicle, times in zip(plan.vehicles, plan.times, strict=True):
-        for number, leg in enumerate(vehicle.legs, 1):
-            if not leg.edges:
-                continue
-            lines.append(net.path_shape(leg.edges))
-            row: tuple[Any, ...] = (
-                shown(vehicle.vehicle), vehicle.role, number, leg.role,
-                ", ".join(shown(name) for name in leg.partners), shown(vehicle.origin.name),
-                shown(vehicle.destination.name), _roads(net, leg.edges), leg.length_m, leg.time_s,
-                leg.fuel_l, leg.cost, shown(plan.unit), leg.inferred_m, credit,
-            )  # fmt: skip
-            if plan.timetable is not None and times is not None:
-                moments = (plan.timetable.clock.iso(at) for at in times.legs[number - 1])
-                row += (*moments, times.waits[number - 1])
-            for values, value in zip(columns.values(), row, strict=True):
-                values.append(value)
-    return columns, lines
+    rows = leg_rows(plan, net)
+    return _lines_frame(leg_columns(plan, rows), [net.path_shape(row.edges) for row in rows])
 
 
 def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
@@ -85,6 +65,15 @@ def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[
     (starts, destinations, merges, separations), `network` (all edges), `about` (a table: network,
     method, proof, parameters, attribution).
 
+    Parameters
+    ----------
+    plan : JointPlan
+        What is written.
+    net : RoadNetwork
+        The network it was made on.
+    path : path-like
+        Of the file; its folder must exist.
+
     Raises
     ------
     ScenarioError
@@ -93,10 +82,14 @@ def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[
     import pandas as pd
     import pyogrio
 
+    path = check_path(path)
+    routes = to_geodataframe(plan, net)
+    sections = platoon_sections(plan)
+    names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
     layers: list[tuple[str, Any, str | None]] = [
-        ("routes", to_geodataframe(plan, net), "LineString"),
-        ("platoons", _platoons(plan, net), "LineString"),
-        ("points", _points(plan), "Point"),
+        ("routes", routes, "LineString"),
+        ("platoons", _platoons(net, sections, names), "LineString"),
+        ("points", _points(plan, platoon_events(plan, sections), names), "Point"),
         ("network", _network(net), "LineString"),
         ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
     ]
@@ -104,9 +97,13 @@ def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[
         for name, frame, kind in layers:
             try:
                 pyogrio.write_dataframe(
-                    frame, draft, layer=name, driver="GPKG", append=draft.exists(),
+                    frame,
+                    draft,
+                    layer=name,
+                    driver="GPKG",
+                    append=draft.exists(),
                     geometry_type=kind,
-                )  # fmt: skip
+                )
             except pyogrio.errors.DataSourceError as error:
                 # As an OSError it is told like any other failure to write.
                 raise OSError(f"layer {name}: {str(error).splitlines()[0]}") from error
@@ -122,36 +119,32 @@ def _lines_frame(columns: Mapping[str, Any], lines: Iterable[Any]) -> geopandas.
     )
 
 
-def _roads(net: RoadNetwork, edges: Sequence[int]) -> str:
-    refs = dict.fromkeys(shown(net.edge_ref(edge)) for edge in edges)
-    return ", ".join(ref for ref in refs if ref)
-
-
-def _platoons(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame:
-    sections = platoon_sections(plan)
-    names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
+def _platoons(
+    net: RoadNetwork, sections: Sequence[PlatoonSection], names: Sequence[str]
+) -> geopandas.GeoDataFrame:
     return _lines_frame(
         {
             "vehicles": [", ".join(names[i] for i in part.vehicles) for part in sections],
             "size": np.array([len(part.vehicles) for part in sections], np.int32),
-            "roads": [_roads(net, part.edges) for part in sections],
+            "roads": [roads_of(net, part.edges) for part in sections],
             "length_m": np.array([sum_over(net.length_m, part.edges) for part in sections]),
         },
         [net.path_shape(part.edges) for part in sections],
     )
 
 
-def _points(plan: JointPlan) -> geopandas.GeoDataFrame:
+def _points(
+    plan: JointPlan, events: Sequence[Event], names: Sequence[str]
+) -> geopandas.GeoDataFrame:
     import geopandas
 
-    names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
     rows: list[tuple[str, str, str, str, int | None, float, float]] = []
     moments: list[float | None] = []
     for name, vehicle, times in zip(names, plan.vehicles, plan.times, strict=True):
         for kind, stop in (("start", vehicle.origin), ("destination", vehicle.destination)):
             rows.append((kind, shown(stop.name), name, "", None, stop.lon, stop.lat))
         moments += [times.departure_s, times.arrival_s] if times else [None, None]
-    for event in platoon_events(plan, platoon_sections(plan)):
+    for event in events:
         at = event.point
         who, others = (", ".join(names[i] for i in group) for group in (event.movers, event.others))
         rows.append((event.kind, shown(at.name), who, others, at.osm_id, at.lon, at.lat))

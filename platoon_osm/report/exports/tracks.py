@@ -8,7 +8,6 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator
 from datetime import UTC
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +16,12 @@ from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
 from ...plans.records import JointPlan, PlatoonPoint, Stop, VehiclePlan
 from ...plans.timetable import VehicleTimes
-from ..document.document import check_plan
+from ..document.checks import check_path, check_plan
 from ..document.provenance import credits
 from ..drawing.vehicle_styles import vehicle_styles
 from ..markup.quantities import kilometres
 from ..markup.shown_text import shown
-from .gis import leg_table
+from .legs import Cell, leg_columns, leg_rows
 
 __all__ = ["write_csv", "write_gpx"]
 
@@ -35,24 +34,39 @@ FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "
 
 
 def write_gpx(plan: JointPlan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write a GPX file for each vehicle into a folder that exists; return their paths.
+    """Write a GPX file for each vehicle into a folder that exists.
 
     Each holds the start, the merge, the separation and the destination as waypoints, and the
     joint route as one track with a segment for each leg. Times are in UTC, as GPX wants them, so
     they are there if those of the plan have a zone; else a line of the description says that they
     are left out. Files are named by the letters of the report: `vehicle-A.gpx`.
 
+    Parameters
+    ----------
+    plan : JointPlan
+        What is written.
+    net : RoadNetwork
+        The network it was made on.
+    folder : path-like
+        Where they are written.
+
+    Returns
+    -------
+    list of Path
+        What was written.
+
     Raises
     ------
     ScenarioError
         A plan of another network, or a folder that cannot be written to.
     """
+    folder = check_path(folder)
     check_plan(plan, net)
     ElementTree.register_namespace("", GPX)
     styles = vehicle_styles([vehicle.vehicle for vehicle in plan.vehicles])
     written: list[Path] = []
     for vehicle, style, times in zip(plan.vehicles, styles, plan.times, strict=True):
-        path = Path(folder) / f"vehicle-{style.letter}.gpx"
+        path = folder / f"vehicle-{style.letter}.gpx"
         tree = ElementTree.ElementTree(_gpx(plan, net, vehicle, times))
         ElementTree.indent(tree, "")
         with whole_file(path, suffix=".gpx") as draft:
@@ -80,10 +94,14 @@ def _gpx(
         _child(point, "type", kind.lower())
     track = _child(root, "trk")
     _child(track, "name", f"{shown(vehicle.vehicle)}: {_ends(vehicle)}")
-    _child(track, "desc", "; ".join(
-        f"{kilometres(leg.length_m)} {'in platoon' if leg.role == 'platoon' else 'alone'}"
-        for leg in vehicle.legs
-    ))  # fmt: skip
+    _child(
+        track,
+        "desc",
+        "; ".join(
+            f"{kilometres(leg.length_m)} {'in platoon' if leg.role == 'platoon' else 'alone'}"
+            for leg in vehicle.legs
+        ),
+    )
     for number, leg in enumerate(vehicle.legs):
         if leg.edges:
             segment = _child(track, "trkseg")
@@ -147,12 +165,22 @@ def write_csv(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -
 
     A text that a spreadsheet would run as a formula gets an apostrophe in front of it.
 
+    Parameters
+    ----------
+    plan : JointPlan
+        What is written.
+    net : RoadNetwork
+        The network it was made on.
+    path : path-like
+        Of the file; its folder must exist.
+
     Raises
     ------
     ScenarioError
         A plan of another network, or a file that cannot be written.
     """
-    columns, _ = leg_table(plan, net)
+    path = check_path(path)
+    columns = leg_columns(plan, leg_rows(plan, net))
     with (
         whole_file(path, suffix=".csv") as draft,
         draft.open("w", encoding="utf-8", newline="") as handle,
@@ -163,7 +191,7 @@ def write_csv(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -
             writer.writerow([_cell(value) for value in row])
 
 
-def _cell(value: Any) -> Any:
+def _cell(value: Cell) -> Cell:
     if isinstance(value, str) and value.startswith(FORMULA_SIGNS):
         return f"'{value}"
     return f"{value:.6g}" if isinstance(value, float) else value

@@ -16,9 +16,15 @@ from string import Template
 __all__ = ["NOTHING", "Markup", "asset", "compact_asset", "fill", "fill_page", "join"]
 
 FRAGMENT_FILES = (
-    "panel.html", "legend.html", "map.svg.html", "charts.html", "schedule.html", "comparison.html",
-    "flows.html", "notebook.html",
-)  # fmt: skip
+    "panel.html",
+    "legend.html",
+    "map.svg.html",
+    "charts.html",
+    "schedule.html",
+    "comparison.html",
+    "flows.html",
+    "notebook.html",
+)
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)
 

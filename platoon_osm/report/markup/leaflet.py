@@ -26,7 +26,15 @@ SHA256 = {
 
 @dataclass(frozen=True, slots=True)
 class Leaflet:
-    """Leaflet's script, and its style sheet without the images."""
+    """What a page carries of Leaflet.
+
+    Attributes
+    ----------
+    script : str
+        Its script.
+    style : str
+        Its style sheet, without the images.
+    """
 
     script: str
     style: str
@@ -37,7 +45,13 @@ def load_leaflet(directory: str | os.PathLike[str] | None = None) -> Leaflet:
 
     Parameters
     ----------
-    directory : holds leaflet.js and leaflet.css, as Leaflet's own archive does.
+    directory : path-like or None
+        Holds leaflet.js and leaflet.css, as Leaflet's own archive does.
+
+    Returns
+    -------
+    Leaflet
+        What a page carries.
 
     Raises
     ------
@@ -46,6 +60,10 @@ def load_leaflet(directory: str | os.PathLike[str] | None = None) -> Leaflet:
     """
     root: Path | Traversable
     if directory is not None:
+        if not isinstance(directory, str | os.PathLike):
+            raise ScenarioError(
+                f"Leaflet: leaflet_dir {directory!r} is no path; name a folder, or None"
+            )
         root = Path(directory)
         remedy = f"unpack Leaflet {LEAFLET_VERSION} there"
     else:

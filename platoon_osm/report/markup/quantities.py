@@ -4,15 +4,38 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...plans.clock import whole_minutes
 from .shown_text import shortened, shown
 
-__all__ = ["CostUnit", "clock_span", "cost_unit", "kilometres", "litres", "percent", "signed"]
+__all__ = [
+    "MINUS",
+    "CostUnit",
+    "clock_span",
+    "cost_unit",
+    "gain_or_loss",
+    "kilometres",
+    "litres",
+    "percent",
+    "signed",
+    "true_minus",
+]
 
 MINUS = "\u2212"
 
 
 def signed(text: str) -> str:
-    """Return a figure's text with a plus sign, or a true minus sign; none for zero."""
+    """Return a figure's text with its sign.
+
+    Parameters
+    ----------
+    text : str
+        As Python prints it.
+
+    Returns
+    -------
+    str
+        With a plus sign or a true minus sign; none for zero.
+    """
     if text.startswith("-"):
         return _unsigned_zero(MINUS + text[1:])
     return _unsigned_zero("+" + text)
@@ -22,25 +45,101 @@ def _unsigned_zero(text: str) -> str:
     return text if any(digit in text for digit in "123456789") else text[1:]
 
 
+def true_minus(text: str) -> str:
+    """Return a figure's text with a true minus sign for a hyphen.
+
+    Parameters
+    ----------
+    text : str
+        As Python prints it.
+
+    Returns
+    -------
+    str
+        As people read it.
+    """
+    return text.replace("-", MINUS)
+
+
+def gain_or_loss(saved: float) -> str:
+    """Return what pages call a saving, which gives it its colour.
+
+    Parameters
+    ----------
+    saved : float
+        A cost or a share saved.
+
+    Returns
+    -------
+    str
+        "gain", "loss" or "even".
+    """
+    return "gain" if saved > 0 else "loss" if saved < 0 else "even"
+
+
 def kilometres(length_m: float) -> str:
-    """Return a length given in metres as "544 km", with a decimal below 10 km."""
+    """Return a length as "544 km", with a decimal below 10 km.
+
+    Parameters
+    ----------
+    length_m : float
+        In metres.
+
+    Returns
+    -------
+    str
+        In kilometres.
+    """
     km = length_m / 1000
     return f"{km:.1f} km" if abs(km) < 9.95 else f"{km:,.0f} km"
 
 
 def litres(fuel_l: float) -> str:
-    """Return a volume of fuel as "21.4 l"."""
+    """Return a volume of fuel as "21.4 l".
+
+    Parameters
+    ----------
+    fuel_l : float
+        In litres.
+
+    Returns
+    -------
+    str
+        With its unit.
+    """
     return f"{fuel_l:,.1f} l" if abs(fuel_l) < 999.5 else f"{fuel_l:,.0f} l"
 
 
 def clock_span(seconds: float) -> str:
-    """Return a time span as a figure: "24 min", from an hour on "1:05 h"."""
-    hours, minutes = divmod(round(seconds / 60), 60)
+    """Return a time span as a figure: "24 min", from an hour on "1:05 h".
+
+    Parameters
+    ----------
+    seconds : float
+        The span [s].
+
+    Returns
+    -------
+    str
+        Rounded as all durations are.
+    """
+    hours, minutes = divmod(whole_minutes(seconds), 60)
     return f"{hours:,}:{minutes:02d} h" if hours else f"{minutes} min"
 
 
 def percent(share: float) -> str:
-    """Return a share (0.013) as "1.3 %"."""
+    """Return a share (0.013) as "1.3 %".
+
+    Parameters
+    ----------
+    share : float
+        Of 1.
+
+    Returns
+    -------
+    str
+        In percent.
+    """
     return f"{share * 100:.1f}\u202f%"
 
 
@@ -50,11 +149,16 @@ class CostUnit:
 
     Attributes
     ----------
-    label : heads a column.
-    note : explains the unit; empty if it needs no explanation.
-    scale : printed figure per stored figure.
-    decimals : of the printed figure.
-    before, after : what stands around a lone figure.
+    label : str
+        Heads a column.
+    note : str
+        Explains the unit; empty if it needs no explanation.
+    scale : float
+        Printed figure per stored figure.
+    decimals : int
+        Of the printed figure.
+    before, after : str
+        What stands around a lone figure.
     """
 
     label: str
@@ -65,20 +169,64 @@ class CostUnit:
     after: str
 
     def bare(self, cost: float) -> str:
-        """Return a cost without its unit, for a column that names it."""
-        return f"{cost * self.scale:,.{self.decimals}f}".replace("-", MINUS)
+        """Return a cost without its unit, for a column that names it.
+
+        Parameters
+        ----------
+        cost : float
+            In the plan's unit.
+
+        Returns
+        -------
+        str
+            As it is printed.
+        """
+        return true_minus(f"{cost * self.scale:,.{self.decimals}f}")
 
     def bare_signed(self, cost: float) -> str:
-        """Return a cost without its unit, with its sign."""
+        """Return a cost without its unit, with its sign.
+
+        Parameters
+        ----------
+        cost : float
+            In the plan's unit.
+
+        Returns
+        -------
+        str
+            As it is printed.
+        """
         return signed(f"{cost * self.scale:,.{self.decimals}f}")
 
     def full(self, cost: float) -> str:
-        """Return a cost with its unit."""
+        """Return a cost with its unit.
+
+        Parameters
+        ----------
+        cost : float
+            In the plan's unit.
+
+        Returns
+        -------
+        str
+            As it is printed.
+        """
         return f"{self.before}{self.bare(cost)}{self.after}"
 
 
 def cost_unit(unit: str) -> CostUnit:
-    """Return how costs are printed that a plan states in `unit` ("m", "EUR", or any other)."""
+    """Return how costs of a plan are printed.
+
+    Parameters
+    ----------
+    unit : str
+        The plan's: "m", "EUR", or any other.
+
+    Returns
+    -------
+    CostUnit
+        How they are printed.
+    """
     if unit == "m":
         note = (
             "Costs are in kilometre equivalents: distance, time and fuel, "

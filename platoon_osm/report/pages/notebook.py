@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from ...plans.records import JointPlan
-from ..document.document import ROLES
+from ..document.checks import check_is_plan
+from ..document.vehicles import ROLES
 from ..markup.fragments import fill, join
 from ..markup.quantities import cost_unit, kilometres, percent, signed
 from ..markup.shown_text import fitted
@@ -12,7 +13,24 @@ __all__ = ["plan_table"]
 
 
 def plan_table(plan: JointPlan) -> str:
-    """Return a plan's vehicles and what each saves, as an HTML table without script or style."""
+    """Return a plan's vehicles and what each saves.
+
+    Parameters
+    ----------
+    plan : JointPlan
+        What is told.
+
+    Returns
+    -------
+    str
+        An HTML table without script or style.
+
+    Raises
+    ------
+    ScenarioError
+        Not a plan.
+    """
+    check_is_plan(plan)
     unit = cost_unit(plan.unit)
     rows = [
         fill(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from ..document.as_json import as_json
+from ..document.model import Document
 from ..markup.fragments import Markup, asset, compact_asset, fill, fill_page
 from ..markup.leaflet import Leaflet
 from ..markup.security import json_for_html, policy
+from .online_map import Tiles
 from .panel import page_body
 
 __all__ = ["SCRIPTS", "PageParts"]
@@ -14,44 +15,71 @@ __all__ = ["SCRIPTS", "PageParts"]
 LEAFLET_LICENCE = "leaflet-licence.txt"
 
 SCRIPTS = (
-    "elements.js", "lines.js", "lanes.js", "cover.js", "marks.js", "labels.js", "legend.js",
-    "clock.js", "journey.js", "page.js",
-)  # fmt: skip
+    "elements.js",
+    "lines.js",
+    "lanes.js",
+    "cover.js",
+    "marks.js",
+    "labels.js",
+    "legend.js",
+    "clock.js",
+    "journey.js",
+    "page.js",
+)
 """The page's own scripts, in their order: each may use those before it."""
 
 
 class PageParts:
-    """What a page is put together from, apart from what folium contributes."""
+    """What a page is put together from, apart from what folium contributes.
 
-    def __init__(self, document: dict[str, Any], leaflet: Leaflet) -> None:
+    Parameters
+    ----------
+    document : Document
+        What is shown.
+    leaflet : Leaflet
+        What draws the live map.
+    tiles : Tiles or None
+        An online map underneath; None for a page that never asks the network for anything.
+    """
+
+    def __init__(self, document: Document, leaflet: Leaflet, tiles: Tiles | None = None) -> None:
         self.document = document
         self.leaflet = leaflet
+        self.tiles = tiles
 
     def html(self, map_id: str, *, header: str, extra: str, script: str) -> str:
         """Return the whole page.
 
         Parameters
         ----------
-        map_id : of the element that holds the map.
-        header, extra : markup for the head and the end of the body, from folium.
-        script : from folium, creates the map; the page's own script follows it.
+        map_id : str
+            Of the element that holds the map.
+        header, extra : str
+            Markup for the head and the end of the body, from folium.
+        script : str
+            From folium, creates the map; the page's own script follows it.
+
+        Returns
+        -------
+        str
+            HTML.
         """
         own = "".join(compact_asset(name) for name in SCRIPTS)
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
         own_style = "".join(compact_asset(name) for name in ("page.css", "schedule.css"))
         styles = [self.leaflet.style, own_style]
         body = page_body(self.document, fill("live-map", id=map_id))
-        tiles = self.document["tiles"]
+        tiles = self.tiles
         return fill_page(
             "page.html",
-            policy=policy(scripts, styles, tiles["origin"] if tiles else ""),
-            title=self.document["title"],
+            policy=policy(scripts, styles, tiles.origin if tiles else ""),
+            title=self.document.title,
             licences=asset(LEAFLET_LICENCE).strip(),
             leaflet_style=styles[0],
             page_style=styles[1],
             header=header.strip(),
             body=Markup(f"{body}\n{extra.strip()}".strip()),
-            data=json_for_html(self.document),
+            data=json_for_html({**as_json(self.document), "tiles": as_json(tiles)}),
             leaflet_script=scripts[0],
             script=scripts[1],
         )

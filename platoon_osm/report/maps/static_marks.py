@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
+from ..document.model import Document
+from ..document.model_vehicle import Stop, Vehicle
+from ..drawing.crowd import CROWD
+from ..drawing.lines import Point
+from ..drawing.palette import CROWD as CROWD_COLOUR
+from ..drawing.vehicle_styles import letter_size
 from ..markup.fragments import Markup, fill
-from .map_view import MapView, Point
+from .map_view import MapView
 from .placement import Box, Cover
 
 __all__ = ["event_places", "placed_marks"]
 
-CROWD_COLOUR = "#4d5560"
-LETTER_SIZE = {1: 11.0, 2: 9.0, 3: 8.0}
-
-CROWD = 8
-"""Of more vehicles than this, starts near one another become one mark that counts them."""
-
 MOST_ENDS = 3
-"""Of fewer, only more ends than this on one spot do."""
+"""More ends than this on one spot become one mark that counts them; in a crowd, any two near."""
 
 NEAR, APART = 18.0, 19.0
 """Ends this near are one place in a crowd; marks this far apart do not touch, in pixels."""
@@ -35,33 +34,53 @@ _FAN = sorted(
 
 
 def placed_marks(
-    document: dict[str, Any], view: MapView, cover: Cover, scale: float = 1.0
+    document: Document, view: MapView, cover: Cover, scale: float = 1.0
 ) -> Iterator[Markup]:
-    """Yield all marks, `scale` times their common size, and take their room.
+    """Yield all marks, and take their room.
 
-    Merges and separations come first, so that they stand where they are.
+    Merges and separations are placed first, so that they stand where they are.
+
+    Parameters
+    ----------
+    document : Document
+        Whose marks they are.
+    view : MapView
+        Where on the drawing things lie.
+    cover : Cover
+        What is taken already.
+    scale : float
+        How much larger than common they are.
+
+    Yields
+    ------
+    Markup
+        Each mark, those of events last, so that they lie on top.
     """
     taken = event_places(document, view, scale)
     events: list[Markup] = []
-    for event, (left, top) in zip(document["events"], list(taken), strict=True):
-        x, y = view.at(event["lon"], event["lat"])
+    for event, (left, top) in zip(document.events, list(taken), strict=True):
+        x, y = view.at(event.lon, event.lat)
         cover.add_box(_box(left, top, 12 * scale))
         yield from _tie(x, y, left, top, scale)
         events.append(
             fill(
-                "static-event", x=f"{left:.1f}", y=f"{top:.1f}", scale=f"{scale:g}",
-                icon=event["kind"], title=f"{event['name']}: {event['text']}",
+                "static-event",
+                x=f"{left:.1f}",
+                y=f"{top:.1f}",
+                scale=f"{scale:g}",
+                icon=event.kind,
+                title=f"{event.name}: {event.text}",
             )
-        )  # fmt: skip
+        )
     for end, fragment, word in (
         ("origin", "static-start", "from"),
         ("destination", "static-end", "to"),
     ):
         for (x, y), vehicles in _spots(document, end, view, scale):
-            names = ", ".join(dict.fromkeys(vehicle[end]["name"] for vehicle in vehicles))
-            letters = ", ".join(vehicle["letter"] for vehicle in vehicles)
-            most = 1 if len(document["vehicles"]) > CROWD else MOST_ENDS
-            faces = [(vehicle["colour"], vehicle["letter"]) for vehicle in vehicles]
+            names = ", ".join(dict.fromkeys(_end(vehicle, end).name for vehicle in vehicles))
+            letters = ", ".join(vehicle.letter for vehicle in vehicles)
+            most = 1 if len(document.vehicles) > CROWD else MOST_ENDS
+            faces = [(vehicle.colour, vehicle.letter) for vehicle in vehicles]
             if len(vehicles) > most:
                 faces = [(CROWD_COLOUR, f"{len(vehicles)}\u00d7")]
             for place, (colour, letter) in enumerate(faces):
@@ -70,19 +89,43 @@ def placed_marks(
                 cover.add_box(_box(left, top, 10 * scale))
                 yield from _tie(x, y, left, top, scale)
                 yield fill(
-                    fragment, x=f"{left:.1f}", y=f"{top:.1f}", scale=f"{scale:g}", colour=colour,
-                    letter=letter, size=LETTER_SIZE[min(len(letter), 3)],
+                    fragment,
+                    x=f"{left:.1f}",
+                    y=f"{top:.1f}",
+                    scale=f"{scale:g}",
+                    colour=colour,
+                    letter=letter,
+                    size=letter_size(letter),
                     title=f"{letters} {word} {names}",
-                )  # fmt: skip
+                )
     yield from events
 
 
-def event_places(document: dict[str, Any], view: MapView, scale: float = 1.0) -> list[Point]:
-    """Return where the mark of each event stands, in pixels."""
+def event_places(document: Document, view: MapView, scale: float = 1.0) -> list[Point]:
+    """Return where the mark of each event stands.
+
+    Parameters
+    ----------
+    document : Document
+        Whose events they are.
+    view : MapView
+        Where on the drawing things lie.
+    scale : float
+        How much larger than common the marks are.
+
+    Returns
+    -------
+    list of tuple of float
+        In pixels.
+    """
     taken: list[Point] = []
-    for event in document["events"]:
-        _beside(*view.at(event["lon"], event["lat"]), taken, scale)
+    for event in document.events:
+        _beside(*view.at(event.lon, event.lat), taken, scale)
     return taken
+
+
+def _end(vehicle: Vehicle, end: str) -> Stop:
+    return vehicle.origin if end == "origin" else vehicle.destination
 
 
 def _box(x: float, y: float, half: float) -> Box:
@@ -95,13 +138,14 @@ def _tie(x: float, y: float, left: float, top: float, scale: float) -> Iterator[
 
 
 def _spots(
-    document: dict[str, Any], end: str, view: MapView, scale: float
-) -> list[tuple[Point, list[dict[str, Any]]]]:
+    document: Document, end: str, view: MapView, scale: float
+) -> list[tuple[Point, list[Vehicle]]]:
     """Return who starts or ends on one spot; in a crowd, near one another."""
-    reach = NEAR * scale if len(document["vehicles"]) > CROWD else 0.01
-    found: list[tuple[Point, list[dict[str, Any]]]] = []
-    for vehicle in document["vehicles"]:
-        at = view.at(vehicle[end]["lon"], vehicle[end]["lat"])
+    reach = NEAR * scale if len(document.vehicles) > CROWD else 0.01
+    found: list[tuple[Point, list[Vehicle]]] = []
+    for vehicle in document.vehicles:
+        stop = _end(vehicle, end)
+        at = view.at(stop.lon, stop.lat)
         near = next((who for spot, who in found if math.dist(spot, at) < reach), None)
         if near is None:
             found.append((at, [vehicle]))

@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from .basemap import BASEMAP_STEPS
-from .map_view import MapView, Point
+from ..document.model import Document
+from ..drawing.basemap import BASEMAP_STEPS
+from ..drawing.crowd import MANY_EVENTS
+from ..drawing.lines import Point
+from .map_view import MapView
 from .placement import Box, Cover, text_width
 
 __all__ = ["NAME_SIZE", "Callout", "placed_callouts", "placed_names"]
@@ -19,13 +21,22 @@ NAME_SIZE = 11.5
 CALLOUT_HEIGHT = 34.0
 WIDEST_CALLOUT = 270.0
 
-MANY_EVENTS = 8
-"""Of more callouts than this, those without a good place are left out."""
-
 
 @dataclass(frozen=True, slots=True)
 class Callout:
-    """A box beside an event, at (x, y): a bold head, a line, and perhaps a leader from `near`."""
+    """A box with a text beside an event.
+
+    Attributes
+    ----------
+    x, y : float
+        Where the event is, in pixels.
+    box : Box
+        Where the text stands.
+    head, line : str
+        Its bold head, and the line below.
+    near : tuple of float, or None
+        Where a leader from the event ends; None if the box is near enough.
+    """
 
     x: float
     y: float
@@ -36,17 +47,31 @@ class Callout:
 
 
 def placed_callouts(
-    document: dict[str, Any], view: MapView, cover: Cover, places: Sequence[Point] = ()
+    document: Document, view: MapView, cover: Cover, places: Sequence[Point] = ()
 ) -> Iterator[Callout]:
     """Yield the callouts of all events that find room, where they cover least.
 
-    `places` are those of the events' marks, by default where the events are.
+    Parameters
+    ----------
+    document : Document
+        Whose events they are.
+    view : MapView
+        Where on the drawing things lie.
+    cover : Cover
+        What is taken already; callouts take their room.
+    places : sequence of tuple of float
+        Where the events' marks stand; by default where the events are.
+
+    Yields
+    ------
+    Callout
+        In the order of the events.
     """
-    worst = 1_000 if len(document["events"]) <= MANY_EVENTS else 60
-    for number, event in enumerate(document["events"]):
-        x, y = places[number] if places else view.at(event["lon"], event["lat"])
-        head = _clipped(f"{event['kind'].capitalize()}: {event['name']}", 11.5, True)
-        line = _clipped(event["text"], 11, False)
+    worst = 1_000 if len(document.events) <= MANY_EVENTS else 60
+    for number, event in enumerate(document.events):
+        x, y = places[number] if places else view.at(event.lon, event.lat)
+        head = _clipped(f"{event.kind.capitalize()}: {event.name}", 11.5, True)
+        line = _clipped(event.text, 11, False)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))
         box = cover.place(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)), worst)
         if box is None:
@@ -76,16 +101,30 @@ def _around(
 
 
 def placed_names(
-    document: dict[str, Any], view: MapView, cover: Cover, scale: float = 1.0
+    document: Document, view: MapView, cover: Cover, scale: float = 1.0
 ) -> Iterator[tuple[str, Box]]:
-    """Yield the names of towns that find room, each with the box it stands in.
+    """Yield the names of towns that find room.
 
-    Names `scale` times as large as others want more room, and fewer find it.
+    Parameters
+    ----------
+    document : Document
+        Whose towns they are.
+    view : MapView
+        Where on the drawing things lie.
+    cover : Cover
+        What is taken already; names take their room.
+    scale : float
+        How much larger than common they are; larger ones want more room, and fewer find it.
+
+    Yields
+    ------
+    tuple of str and Box
+        Each name and the box it stands in.
     """
     placed: list[tuple[float, float, float]] = []
     size = NAME_SIZE * scale
     high, side = 18 * scale, 4 * scale
-    for lon, lat, name, rank in document["towns"]:
+    for lon, lat, name, rank in document.towns:
         x, y = view.at(lon / BASEMAP_STEPS, lat / BASEMAP_STEPS)
         if rank > 1 or not (0 < x < view.width and 0 < y < view.height):
             continue

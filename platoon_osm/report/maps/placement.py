@@ -19,7 +19,15 @@ LINE = 1
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A rectangle in pixels, y downwards."""
+    """A rectangle in pixels, y downwards.
+
+    Attributes
+    ----------
+    left, top : float
+        Its upper left corner.
+    width, height : float
+        Its size.
+    """
 
     left: float
     top: float
@@ -38,7 +46,13 @@ class Box:
 
 
 class Cover:
-    """What of a drawing is taken, on a grid of cells of `CELL` pixels."""
+    """What of a drawing is taken, on a grid of cells of `CELL` pixels.
+
+    Parameters
+    ----------
+    width, height : float
+        Of the drawing.
+    """
 
     def __init__(self, width: float, height: float) -> None:
         self.width = width
@@ -46,13 +60,27 @@ class Cover:
         self._weight: dict[tuple[int, int], int] = defaultdict(int)
 
     def copy(self) -> Cover:
-        """Return another that has the same taken so far."""
+        """Return another that has the same taken so far.
+
+        Returns
+        -------
+        Cover
+            What is taken of it later is not taken of this.
+        """
         made = Cover(self.width, self.height)
         made._weight.update(self._weight)
         return made
 
     def add_line(self, points: Sequence[tuple[float, float]], weight: int = LINE) -> None:
-        """Mark the cells that a line passes."""
+        """Mark the cells that a line passes.
+
+        Parameters
+        ----------
+        points : sequence of tuple of float
+            Pixels.
+        weight : int
+            How much each cell counts when it is covered.
+        """
         for (x0, y0), (x1, y1) in pairwise(points):
             steps = max(1, math.ceil(math.hypot(x1 - x0, y1 - y0) / CELL))
             for step in range(steps + 1):
@@ -61,18 +89,48 @@ class Cover:
                 self._weight[cell] = max(self._weight[cell], weight)
 
     def add_box(self, box: Box) -> None:
-        """Mark a box as taken by a mark or text."""
+        """Mark a box as taken by a mark or text.
+
+        Parameters
+        ----------
+        box : Box
+            What is taken.
+        """
         for cell in self._cells(box):
             self._weight[cell] += SOLID
 
     def cost(self, box: Box) -> float:
-        """Return how much a box would cover; infinite outside the drawing."""
+        """Return how much a box would cover.
+
+        Parameters
+        ----------
+        box : Box
+            Where something may go.
+
+        Returns
+        -------
+        float
+            The sum over its cells; infinite outside the drawing.
+        """
         if box.left < 0 or box.top < 0 or box.right > self.width or box.bottom > self.height:
             return math.inf
         return float(sum(self._weight.get(cell, 0) for cell in self._cells(box)))
 
     def place(self, candidates: Iterable[tuple[Box, float]], most: float) -> Box | None:
-        """Take the candidate of least cost, its own cost added; None if all cost `most` or more."""
+        """Take the candidate of least cost.
+
+        Parameters
+        ----------
+        candidates : iterable of tuple of Box and float
+            Where something may go, and what that place costs by itself.
+        most : float
+            What it must cost less than.
+
+        Returns
+        -------
+        Box or None
+            Its place, which is taken now; None if all cost `most` or more.
+        """
         best: Box | None = None
         least = most
         for box, own in candidates:
@@ -94,7 +152,22 @@ class Cover:
 
 
 def text_width(text: str, size: float, bold: bool = False) -> float:
-    """Return about how wide a text is in a common sans-serif face, in pixels; rather too wide."""
+    """Return about how wide a text is in a common sans-serif face; rather too wide.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    size : float
+        Of its type, in pixels.
+    bold : bool
+        Whether it is bold.
+
+    Returns
+    -------
+    float
+        In pixels.
+    """
     return sum(map(_em, text)) * size * (1.17 if bold else 1.0)
 
 

@@ -1,0 +1,40 @@
+"""The one border where records become plain JSON types.
+
+A record becomes an object with its fields in their order, a tuple an array, a line its short text;
+numbers, texts and None stay what they are. A field marked as not meant for readers is left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass
+from typing import Any
+
+from ..drawing.lines import Line, Lines
+
+__all__ = ["as_json"]
+
+
+def as_json(value: object) -> Any:
+    """Return a record, or anything in one, as plain JSON types.
+
+    Parameters
+    ----------
+    value : object
+        A record of a document, a tuple of such, a line, a number, a text or None.
+
+    Returns
+    -------
+    dict, list, str, float, int, bool or None
+        What `json.dumps` writes.
+    """
+    if isinstance(value, Line | Lines):
+        return value.encoded()
+    if is_dataclass(value):
+        return {
+            one.name: as_json(getattr(value, one.name))
+            for one in fields(value)
+            if one.metadata.get("json", True)
+        }
+    if isinstance(value, list | tuple):
+        return [as_json(item) for item in value]
+    return value

@@ -1,0 +1,95 @@
+"""Merges and separations in words: who joins whom, when, and after how long a way."""
+
+from __future__ import annotations
+
+from ...plans.clock import duration
+from ...plans.events import Event
+from ..markup.quantities import kilometres
+from ..markup.shown_text import fitted, shortened, shown
+from .findings import Findings
+from .model_map import EventMark
+from .timeline import waits_at
+from .wording import MOST_NAMED, joined
+
+__all__ = ["event_mark"]
+
+
+def event_mark(found: Findings, number: int) -> EventMark:
+    """Return one event of a plan.
+
+    Parameters
+    ----------
+    found : Findings
+        Of the plan.
+    number : int
+        Its position among the events.
+
+    Returns
+    -------
+    EventMark
+        All that pages show of it.
+    """
+    event, at_s = found.events[number], found.moments[number]
+    point = event.point
+    details = (_detail(found, event), _waiting(found, event, at_s))
+    return EventMark(
+        kind=event.kind,
+        lon=round(point.lon, 6),
+        lat=round(point.lat, 6),
+        name=fitted(point.name),
+        vehicles=tuple(event.movers),
+        others=tuple(event.others),
+        at_m=_on_scale(found, event),
+        at_s=None if at_s is None else round(at_s, 1),
+        text=_text(found, event, at_s),
+        detail=", ".join(text for text in details if text),
+    )
+
+
+def _text(found: Findings, event: Event, at_s: float | None) -> str:
+    movers, others = joined(found.letters(event.movers)), found.letters(event.others)
+    one = len(event.movers) == 1
+    if not others and not one:
+        # Case D: both vehicles come to the point, and both leave it.
+        what = f"{movers} {'meet' if event.kind == 'merge' else 'part'}"
+    elif event.kind == "merge":
+        whom = joined(others) if 0 < len(others) <= MOST_NAMED else "the platoon"
+        what = f"{movers} {'joins' if one else 'join'} {whom}"
+    else:
+        what = f"{movers} {'leaves' if one else 'leave'}"
+    table = found.plan.timetable
+    return what if table is None or at_s is None else f"{table.clock.text(at_s)}, {what}"
+
+
+def _on_scale(found: Findings, event: Event) -> float | None:
+    if found.scale is None:
+        return None
+    first = event.movers[0]
+    vehicle = found.plan.vehicles[first]
+    point = vehicle.merge if event.kind == "merge" else vehicle.separation
+    return round(found.scale.starts_m[first] + (point.km if point else 0.0) * 1000, 1)
+
+
+def _waiting(found: Findings, event: Event, at_s: float | None) -> str:
+    """Return who waits there and how long: "B waits 24 min", at most a few."""
+    waits = waits_at(found.plan, event, at_s)
+    parts = [f"{found.styles[i].letter} waits {duration(wait)}" for i, wait in waits[:MOST_NAMED]]
+    if len(waits) > MOST_NAMED:
+        parts.append(f"{len(waits) - MOST_NAMED} more wait")
+    return ", ".join(parts)
+
+
+def _detail(found: Findings, event: Event) -> str:
+    road = shortened(shown(found.net.edge_ref(event.edge)), 40) if event.edge >= 0 else ""
+    first = found.plan.vehicles[event.movers[0]]
+    parts = [road]
+    if len(event.movers) == 1 and event.kind == "merge":
+        parts.append(
+            f"{kilometres(event.point.km * 1000)} from {fitted(first.origin.name)}"
+            if event.point.km >= 0.05
+            else "at its start"
+        )
+    elif len(event.movers) == 1:
+        parts.append(f"after {kilometres(event.together_m)} in platoon")
+        parts.append(f"towards {fitted(first.destination.name)}")
+    return ", ".join(part for part in parts if part)

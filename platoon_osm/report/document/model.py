@@ -1,0 +1,252 @@
+"""The document of a plan: all that pages show of it, as records made once.
+
+The order of the fields is that of the keys of its JSON, which `as_json` writes; docs/report.md
+says what each means to a reader.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from ..drawing.lines import Line
+from .model_day import DaySchedule, JourneyScale
+from .model_map import Basemap, EventMark, JunctionLabel, PlatoonLine, SoloLine, TownLabel
+from .model_vehicle import CostTexts, Vehicle
+
+__all__ = [
+    "NOT_IN_JSON",
+    "CostLabel",
+    "Document",
+    "Figure",
+    "Group",
+    "LabelledText",
+    "Provenance",
+    "Totals",
+]
+
+NOT_IN_JSON = {"json": False}
+"""Marks a field that drawings need and readers of the JSON do not."""
+
+
+@dataclass(frozen=True, slots=True)
+class CostLabel:
+    """What costs are counted in.
+
+    Attributes
+    ----------
+    label : str
+        Heads a column.
+    note : str
+        Explains the unit; empty if it needs no explanation.
+    scale : float
+        Printed figure per figure of the document.
+    """
+
+    label: str
+    note: str
+    scale: float = field(metadata=NOT_IN_JSON)
+
+
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """One of the large figures at the head of a page.
+
+    Attributes
+    ----------
+    figure : str
+        The figure with its unit.
+    label : str
+        What it tells.
+    kind : str
+        "good" if it is a gain, else "plain".
+    """
+
+    figure: str
+    label: str
+    kind: str
+
+
+@dataclass(frozen=True, slots=True)
+class Totals:
+    """Sums over all vehicles.
+
+    Attributes
+    ----------
+    solo_cost, joint_cost : float
+        Of driving alone and as planned, in the plan's unit.
+    saving : float
+        Share of the cost alone that the plan saves.
+    platoon_road_m : float
+        Road driven in platoon, counted once.
+    platoon_m : float
+        Vehicle-metres in platoon.
+    fuel_saved_l : float
+        Against driving alone.
+    extra_m : float
+        How much further all vehicles drive together than alone.
+    figures : tuple of Figure
+        The three at the head of the page.
+    text : CostTexts
+        The costs as they are printed.
+    """
+
+    solo_cost: float
+    joint_cost: float
+    saving: float
+    platoon_road_m: float
+    platoon_m: float
+    fuel_saved_l: float
+    extra_m: float
+    figures: tuple[Figure, ...]
+    text: CostTexts
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Vehicles that are told of together: a platoon, or all who drive alone.
+
+    Attributes
+    ----------
+    kind : str
+        "platoon" or "alone".
+    name, facts : str
+        Its heading, and how many vehicles and how much road it has.
+    vehicles : tuple of int
+        Positions in the document.
+    road_m : float
+        Road driven in platoon, counted once.
+    saved : float
+        In the plan's unit.
+    text : CostTexts
+        Its costs as they are printed.
+    """
+
+    kind: str
+    name: str
+    facts: str
+    vehicles: tuple[int, ...]
+    road_m: float
+    saved: float
+    text: CostTexts
+
+    @property
+    def is_platoon(self) -> bool:
+        """Whether its vehicles drive together."""
+        return self.kind == "platoon"
+
+
+class LabelledText(NamedTuple):
+    """A row of what a page tells about a plan.
+
+    Attributes
+    ----------
+    label : str
+        What it is.
+    text : str
+        What it says.
+    """
+
+    label: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Provenance:
+    """Where a plan comes from, and who is to be named.
+
+    Attributes
+    ----------
+    rows : tuple of LabelledText
+        Network, method, parameters, version.
+    proof : str
+        How good the plan is known to be, in a sentence.
+    remarks : tuple of str
+        What a reader should know.
+    credits : tuple of str
+        Whom to name with the map.
+    """
+
+    rows: tuple[LabelledText, ...]
+    proof: str
+    remarks: tuple[str, ...]
+    credits: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """All that pages show of one plan on one network.
+
+    Attributes
+    ----------
+    format : str
+        "platoon_osm report".
+    version : int
+        Of the format.
+    title, subtitle : str
+        Head the page.
+    cost_unit : CostLabel
+        What costs are counted in.
+    totals : Totals
+        Sums over all vehicles.
+    vehicles : tuple of Vehicle
+        In the plan's order.
+    groups : tuple of Group
+        Platoons, then those who drive alone.
+    platoons : tuple of PlatoonLine
+        Stretches of one company.
+    solos : tuple of SoloLine
+        Stretches driven alone.
+    events : tuple of EventMark
+        Merges and separations in driving order.
+    journey : JourneyScale or None
+        The common scale of distance; None if there is none.
+    schedule : DaySchedule or None
+        The day by the clock; None without times.
+    inferred_routes : tuple of Line
+        Where routes follow roads that the loader inferred.
+    towns : tuple of TownLabel
+        Most important first.
+    junctions : tuple of JunctionLabel
+        Interchanges first.
+    basemap : Basemap
+        The network in the background.
+    provenance : Provenance
+        Where the plan comes from.
+    """
+
+    format: str
+    version: int
+    title: str
+    subtitle: str
+    cost_unit: CostLabel
+    totals: Totals
+    vehicles: tuple[Vehicle, ...]
+    groups: tuple[Group, ...]
+    platoons: tuple[PlatoonLine, ...]
+    solos: tuple[SoloLine, ...]
+    events: tuple[EventMark, ...]
+    journey: JourneyScale | None
+    schedule: DaySchedule | None
+    inferred_routes: tuple[Line, ...]
+    towns: tuple[TownLabel, ...]
+    junctions: tuple[JunctionLabel, ...]
+    basemap: Basemap
+    provenance: Provenance
+
+    def piece_m(self, kind: str, piece: int) -> float:
+        """Return the length of a piece of a vehicle's way.
+
+        Parameters
+        ----------
+        kind : str
+            "platoon" or "solo".
+        piece : int
+            Its position in `platoons` or `solos`.
+
+        Returns
+        -------
+        float
+            In metres.
+        """
+        return (self.platoons if kind == "platoon" else self.solos)[piece].length_m

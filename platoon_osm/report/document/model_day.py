@@ -1,0 +1,189 @@
+"""The day of a document: the clock, the scale of distance, and the fatigue of drivers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...plans.clock import Clock
+
+__all__ = [
+    "DaySchedule",
+    "DayTexts",
+    "Fatigue",
+    "FatigueCurve",
+    "JourneyScale",
+    "VehicleDay",
+    "VehicleDayTexts",
+]
+
+
+@dataclass(frozen=True, slots=True)
+class JourneyScale:
+    """The common scale of distance, on which vehicles of a platoon are always level.
+
+    Attributes
+    ----------
+    length_m : float
+        From where the first vehicle starts to where the last arrives.
+    starts_m : tuple of float
+        Where on the scale each vehicle starts.
+    guide : int or None
+        The vehicle by whose kilometres it is read; None if there is no single one.
+    """
+
+    length_m: float
+    starts_m: tuple[float, ...]
+    guide: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class DayTexts:
+    """The day as it is printed.
+
+    Attributes
+    ----------
+    day : str
+        Of the first departure.
+    waiting : str
+        How long all vehicles wait on the road.
+    """
+
+    day: str
+    waiting: str
+
+
+@dataclass(frozen=True, slots=True)
+class DaySchedule:
+    """What holds for the whole day.
+
+    Attributes
+    ----------
+    start : str
+        ISO 8601 moment that all seconds count from.
+    zone : str
+        Of all times.
+    since_midnight_s : float
+        From midnight to `start`.
+    begin_s, end_s : float
+        First departure and last arrival.
+    waiting_s : float
+        Of all vehicles, on the road.
+    feasible : bool
+        Whether all arrive in time.
+    text : DayTexts
+        The same for reading.
+    """
+
+    start: str
+    zone: str
+    since_midnight_s: float
+    begin_s: float
+    end_s: float
+    waiting_s: float
+    feasible: bool
+    text: DayTexts
+
+    @property
+    def clock(self) -> Clock:
+        """What turns seconds into times of day."""
+        return Clock.from_text(self.start)
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleDayTexts:
+    """The times of a vehicle as they are printed; empty where there is nothing to tell.
+
+    Attributes
+    ----------
+    departure, arrival : str
+        Times of day.
+    earliest, latest : str
+        Earliest departure and latest arrival asked for.
+    waiting, held, late : str
+        How long it waits on the road, at its origin, and arrives too late.
+    """
+
+    departure: str
+    arrival: str
+    earliest: str
+    latest: str
+    waiting: str
+    held: str
+    late: str
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleDay:
+    """When a vehicle drives, in seconds from `start` of the day.
+
+    Attributes
+    ----------
+    departure_s, arrival_s : float
+        When it leaves its origin and reaches its destination.
+    earliest_departure_s, latest_departure_s, latest_arrival_s : float or None
+        As asked for.
+    waiting_s, held_s, late_s : float
+        How long it waits on the road, at its origin, and arrives too late.
+    spans : tuple of tuple of float
+        Begin and end of each piece of its way; between two it waits.
+    text : VehicleDayTexts
+        The same for reading.
+    """
+
+    departure_s: float
+    arrival_s: float
+    earliest_departure_s: float | None
+    latest_departure_s: float | None
+    latest_arrival_s: float | None
+    waiting_s: float
+    held_s: float
+    late_s: float
+    spans: tuple[tuple[float, float], ...]
+    text: VehicleDayTexts
+
+    @property
+    def is_late(self) -> bool:
+        """Whether it arrives too late by as much as is told."""
+        return bool(self.text.late)
+
+
+@dataclass(frozen=True, slots=True)
+class FatigueCurve:
+    """Fatigue along a journey.
+
+    Attributes
+    ----------
+    hours : tuple of float
+        Since the departure.
+    values : tuple of float
+        Fatigue at each.
+    beyond : bool
+        Whether the driver drives beyond the range of the curves, where the last value is held.
+    """
+
+    hours: tuple[float, ...]
+    values: tuple[float, ...]
+    beyond: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Fatigue:
+    """Fatigue of a driver, alone and as planned.
+
+    Attributes
+    ----------
+    alone, joint : FatigueCurve
+        Along the journey alone and as planned.
+    alone_peak, joint_peak : float
+        The highest of each.
+    """
+
+    alone: FatigueCurve
+    joint: FatigueCurve
+    alone_peak: float
+    joint_peak: float
+
+    @property
+    def curves(self) -> tuple[FatigueCurve, FatigueCurve]:
+        """Both curves."""
+        return self.alone, self.joint

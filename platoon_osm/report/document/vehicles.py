@@ -1,0 +1,87 @@
+"""One vehicle as pages show it: what it is called, where it drives, what that costs and when."""
+
+from __future__ import annotations
+
+from ...plans.records import Stop as PlannedStop
+from ..markup.quantities import kilometres
+from ..markup.shown_text import fitted
+from .driver_fatigue import fatigue_along
+from .findings import Findings
+from .model_vehicle import Stop, Vehicle, VehicleTexts
+from .solo_costs import sum_over
+from .timeline import vehicle_day
+from .wording import cost_texts
+
+__all__ = ["ROLES", "vehicle"]
+
+ROLES = {"master": "master route", "member": "member", "alone": "stays alone"}
+
+
+def vehicle(found: Findings, index: int) -> Vehicle:
+    """Return one vehicle of a plan.
+
+    Parameters
+    ----------
+    found : Findings
+        Of the plan.
+    index : int
+        Its position in the plan.
+
+    Returns
+    -------
+    Vehicle
+        All that pages show of it.
+    """
+    plan, unit, own = found.plan, found.unit, found.plan.vehicles[index]
+    style = found.styles[index]
+    saved = own.solo_cost - own.joint_cost
+    detour = platoon_gain = None
+    if found.known is not None:
+        # saved = gain of the platoon on the way driven - what that way costs more alone
+        driven_alone = sum_over(found.known.solo, own.edges)
+        detour = max(driven_alone - own.solo_cost, 0.0)
+        platoon_gain = saved + detour
+    name = fitted(own.vehicle)
+    costs = cost_texts(own.solo_cost, own.joint_cost, unit)
+    inferred_m = sum(leg.inferred_m for leg in own.legs)
+    return Vehicle(
+        name=name if name != style.letter else "",
+        letter=style.letter,
+        colour=style.colour,
+        dash=style.dash,
+        cap=style.cap,
+        role=own.role,
+        role_text=ROLES.get(own.role, fitted(own.role)),
+        origin=_stop(own.origin),
+        destination=_stop(own.destination),
+        length_m=own.length_m,
+        length_text=kilometres(own.length_m),
+        alone_length_m=own.alone.length_m,
+        platoon_m=own.platoon_m,
+        inferred_m=inferred_m,
+        inferred_text=kilometres(inferred_m) if inferred_m > 0 else "",
+        fuel_l=own.fuel_l,
+        alone_fuel_l=own.alone.fuel_l,
+        solo_cost=own.solo_cost,
+        joint_cost=own.joint_cost,
+        saved=saved,
+        saving=own.saving,
+        platoon_gain=platoon_gain,
+        detour=detour,
+        reason=fitted(own.reason),
+        way=found.ways[index],
+        text=VehicleTexts(
+            costs.alone,
+            costs.joint,
+            costs.saved,
+            costs.share,
+            gain="" if platoon_gain is None else unit.bare(platoon_gain),
+            detour="" if detour is None else unit.bare(detour),
+        ),
+        fatigue=fatigue_along(own, plan.times[index]),
+        times=vehicle_day(plan, index, found.net, found.sections),
+    )
+
+
+def _stop(stop: PlannedStop) -> Stop:
+    return Stop(round(stop.lon, 6), round(stop.lat, 6), fitted(stop.name))

@@ -1,0 +1,93 @@
+"""Tables of costs: vehicles one a row and their sum, or groups."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..document.model import Document
+from ..document.model_vehicle import CostTexts
+from ..drawing.crowd import CROWD
+from ..markup.fragments import Markup, fill, join
+from ..markup.quantities import gain_or_loss
+from .page_pieces import badge, costs_of
+
+__all__ = ["cost_table", "overview"]
+
+
+def cost_table(
+    document: Document, members: Sequence[int], total: str, text: CostTexts, label: str
+) -> Markup:
+    """Return the costs of some vehicles, one a row, and their sum.
+
+    Parameters
+    ----------
+    document : Document
+        Whose vehicles they are.
+    members : sequence of int
+        Their positions.
+    total : str
+        Heads the sum.
+    text : CostTexts
+        The sum.
+    label : str
+        What the table is called.
+
+    Returns
+    -------
+    Markup
+        A table; that of a crowd is narrow and scrolls.
+    """
+    vehicles = [document.vehicles[index] for index in members]
+    rows = []
+    for vehicle in vehicles:
+        facts: object = f"{vehicle.role_text}, {vehicle.length_text}"
+        if vehicle.times is not None:
+            clock = vehicle.times.text
+            facts = f"{clock.departure}\u2060\u2013\u2060{clock.arrival}, {facts}"
+        if vehicle.name:
+            facts = fill("vehicle-name", name=vehicle.name, facts=facts)
+        rows.append(
+            fill(
+                "table-row",
+                badge=badge(vehicle),
+                origin=vehicle.origin.name,
+                destination=vehicle.destination.name,
+                facts=facts,
+                sign=gain_or_loss(vehicle.saved),
+                **costs_of(vehicle.text),
+            )
+        )
+    return fill(
+        "table",
+        rows=join(rows),
+        total=total,
+        label=label,
+        density=" compact" if len(rows) > CROWD else "",
+        sign=gain_or_loss(sum(vehicle.saved for vehicle in vehicles)),
+        **costs_of(text),
+    )
+
+
+def overview(document: Document) -> Markup:
+    """Return the costs of all groups, one a row.
+
+    Parameters
+    ----------
+    document : Document
+        Whose groups they are.
+
+    Returns
+    -------
+    Markup
+        Rows of a table.
+    """
+    return join(
+        fill(
+            "overview-row",
+            name=group.name,
+            facts=group.facts,
+            sign=gain_or_loss(group.saved),
+            **costs_of(group.text),
+        )
+        for group in document.groups
+    )
