@@ -13,7 +13,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.report.drawing.basemap import basemap_lines, network_lines, route_line
 from platoon_osm.report.drawing.lines import Line, Lines
 from platoon_osm.report.drawing.polyline import decode_lines, decode_polyline, encode_polyline
-from platoon_osm.report.maps.map_view import shifted
+from platoon_osm.report.maps.pixels import shifted
 from platoon_osm.report.maps.placement import SOLID, Box, Cover
 from platoon_osm.report.markup.leaflet import load_leaflet
 from platoon_osm.report.markup.shown_text import shown

@@ -196,7 +196,7 @@ def test_hostile_names_in_a_notebook_stay_names(start: int) -> None:
 
 def test_a_plan_alone_loads_no_report() -> None:
     code = (
-        "import sys, platoon_osm; from platoon_osm.planning.plans import JointPlan\n"
+        "import sys, platoon_osm; from platoon_osm.plans.records import JointPlan\n"
         "assert JointPlan.explore\n"
         "print([m for m in sys.modules if m.startswith('platoon_osm.report')])"
     )

@@ -17,7 +17,7 @@ from platoon_osm.plans.records import JointPlan
 from platoon_osm.plans.stretches import platoon_groups, platoon_parts, platoon_sections
 from platoon_osm.report import report_document, write_html
 from platoon_osm.report.document.document import document_of
-from platoon_osm.report.maps.map_view import bands_width
+from platoon_osm.report.maps.lanes import bands_width
 from platoon_osm.report.markup.fragments import fill
 from platoon_osm.report.pages.panel import page_body
 

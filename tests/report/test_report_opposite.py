@@ -18,7 +18,9 @@ from platoon_osm.report.document.document import document_of
 from platoon_osm.report.document.model_map import LanePart
 from platoon_osm.report.document.opposite import opposite_gaps
 from platoon_osm.report.drawing.lines import Line
-from platoon_osm.report.maps.map_view import MapView, bands_width, laid, solo_aside
+from platoon_osm.report.maps.lanes import bands_width, solo_aside
+from platoon_osm.report.maps.map_view import MapView
+from platoon_osm.report.maps.pixels import laid
 
 Visit = Callable[..., Any]
 

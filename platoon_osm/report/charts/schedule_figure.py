@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...plans.clock import MENTIONED_S
+from ...plans.clock import MENTIONED_S, Clock
 from ..document.model import Document
 from ..document.model_day import DaySchedule
 from ..drawing.palette import LATE, MUTED, PAPER, PLATOON, PLATOON_CASING
@@ -110,29 +110,22 @@ def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[tuple[s
     tuple of str
         In the order of `COLUMNS`.
     """
-    clock = schedule.clock
-    vehicles = document.vehicles
-
-    def row(letter: str, does: str, company: str, begin: float, end: float) -> tuple[str, ...]:
-        moments = (clock.moment(round(at)) for at in (begin, end))
-        return (
-            letter,
-            does,
-            company,
-            *(one.isoformat() for one in moments),
-            f"{begin:g}",
-            f"{end:g}",
-        )
-
+    clock, vehicles = schedule.clock, document.vehicles
     for index, vehicle in enumerate(vehicles):
         letter, times = vehicle.letter, vehicle.day
         last = times.departure_s
         if times.text.held and times.earliest_departure_s is not None:
-            yield row(letter, "could have left", "", times.earliest_departure_s, last)
+            yield _row(clock, (letter, "could have left", ""), times.earliest_departure_s, last)
         for (kind, piece), (begin, end) in zip(vehicle.way, times.spans, strict=True):
             if begin - last > 0:
-                yield row(letter, "waits", "", last, begin)
+                yield _row(clock, (letter, "waits", ""), last, begin)
             company = document.platoons[piece].vehicles if kind == "platoon" else ()
             others = " ".join(vehicles[i].letter for i in company if i != index)
-            yield row(letter, "in platoon" if others else "alone", others, begin, end)
+            does = "in platoon" if others else "alone"
+            yield _row(clock, (letter, does, others), begin, end)
             last = end
+
+
+def _row(clock: Clock, what: tuple[str, str, str], begin: float, end: float) -> tuple[str, ...]:
+    moments = (clock.moment(round(at)).isoformat() for at in (begin, end))
+    return (*what, *moments, f"{begin:g}", f"{end:g}")

@@ -152,5 +152,5 @@ class Vehicle:
 
     @property
     def stroke(self) -> str:
-        """Its SVG dash array, "none" if its line is solid."""
+        """The SVG dash array of its line, "none" if that is solid."""
         return self.dash or "none"

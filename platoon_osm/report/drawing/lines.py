@@ -105,12 +105,10 @@ class Lines:
         Lines
             All of them.
         """
-
-        def place(line: NDArray[np.float64]) -> tuple[int, int, int, bytes]:
-            lon, lat = np.rint(line[0] * steps_per_degree).astype(int).tolist()
-            return lat * ROWS_PER_DEGREE // steps_per_degree, lon, lat, line.tobytes()
-
-        flat = sorted((np.asarray(line, np.float64) for line in lines), key=place)
+        flat = sorted(
+            (np.asarray(line, np.float64) for line in lines),
+            key=lambda line: _row_order(line, steps_per_degree),
+        )
         return cls(tuple(Line.rounded(line, steps_per_degree) for line in flat))
 
     def __iter__(self) -> Iterator[Line]:
@@ -135,3 +133,9 @@ class Lines:
             lon, lat = line.points[0].tolist()
             origin = (lon, lat)
         return " ".join(out)
+
+
+def _row_order(line: NDArray[np.float64], steps_per_degree: int) -> tuple[int, int, int, bytes]:
+    """Return in which row a line begins and where; its bytes where two begin at one point."""
+    lon, lat = np.rint(line[0] * steps_per_degree).astype(int).tolist()
+    return lat * ROWS_PER_DEGREE // steps_per_degree, lon, lat, line.tobytes()

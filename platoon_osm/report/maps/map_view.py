@@ -1,41 +1,23 @@
-"""The part of the world on a still drawing: pixels, lines moved aside, widths of bands."""
+"""The part of the world on a still drawing, and its pixels."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import pairwise
 
 import numpy as np
 
 from ..document.model import Document
-from ..document.model_map import BandPart, LanePart
 from ..drawing.lines import Line, Point
+from .pixels import path_data, simplified
 
-__all__ = [
-    "MapView",
-    "band_aside",
-    "band_lines",
-    "band_width",
-    "bands_width",
-    "laid",
-    "path_data",
-    "shifted",
-    "solo_aside",
-    "solo_step",
-]
+__all__ = ["MapView"]
 
 WIDTH = 960.0
 LEAST_HEIGHT, MOST_HEIGHT = 690.0, 980.0
 MARGIN = 60.0
 MOST_NETWORK_DATA = 80_000
 """Characters of path data that the still map spends on the background."""
-
-SHORT = 12.0
-"""Pixels of road that are too short for a place of their own."""
-
-SOLO_CASING = 7.0
-"""Width of a solo line with its white casing."""
 
 
 def mercator(lon: float, lat: float) -> Point:
@@ -127,7 +109,7 @@ class MapView:
         list of tuple of float
             Its pixels.
         """
-        return _simplified([self.at(lon, lat) for lon, lat in line.degrees()], 0.6)
+        return simplified([self.at(lon, lat) for lon, lat in line.degrees()], 0.6)
 
     def path(self, lines: Iterable[Line]) -> str:
         """Return those lines that come near the drawing.
@@ -184,28 +166,6 @@ class MapView:
         return bool(max(xs) > 0 and min(xs) < self.width and max(ys) > 0 and min(ys) < self.height)
 
 
-def path_data(points: Sequence[Point]) -> str:
-    """Return a line to a tenth of a pixel, each step from the point before.
-
-    Parameters
-    ----------
-    points : sequence of tuple of float
-        Pixels.
-
-    Returns
-    -------
-    str
-        SVG path data.
-    """
-    tenths = [(round(x * 10), round(y * 10)) for x, y in points]
-    (x0, y0), *rest = tenths
-    out = [f"M{x0 / 10:g} {y0 / 10:g}l"]
-    for x, y in rest:
-        out.append(f"{(x - x0) / 10:g} {(y - y0) / 10:g} ")
-        x0, y0 = x, y
-    return "".join(out).rstrip()
-
-
 def _plan_lines(document: Document) -> Iterator[Line]:
     for section in document.platoons:
         yield from (part.line for part in section.parts)
@@ -219,195 +179,3 @@ def _stops(document: Document) -> list[Point]:
         for vehicle in document.vehicles
         for stop in (vehicle.origin, vehicle.destination)
     ]
-
-
-def _simplified(points: list[Point], tolerance: float) -> list[Point]:
-    import shapely
-
-    if len(points) < 3 or not tolerance:
-        return points
-    simple = shapely.simplify(shapely.linestrings(points), tolerance)
-    return [(float(x), float(y)) for x, y in shapely.get_coordinates(simple)]
-
-
-def shifted(points: Sequence[Point], aside: float) -> list[Point]:
-    """Return a line moved to its right, corners mitred within limits.
-
-    Parameters
-    ----------
-    points : sequence of tuple of float
-        Pixels.
-    aside : float
-        How far, in pixels.
-
-    Returns
-    -------
-    list of tuple of float
-        The line moved.
-    """
-    if not aside or len(points) < 2:
-        return list(points)
-    flat = np.asarray(points)
-    step = np.diff(flat, axis=0)
-    step = step[np.hypot(*step.T) > 0]
-    if not len(step):
-        return list(points)
-    keep = np.concatenate([[True], np.hypot(*np.diff(flat, axis=0).T) > 0])
-    flat = flat[keep]
-    normal = np.column_stack([-step[:, 1], step[:, 0]]) / np.hypot(*step.T)[:, None]
-    before, after = np.vstack([normal[:1], normal]), np.vstack([normal, normal[-1:]])
-    mitre = before + after
-    # |mitre| = 2 cos(half the turn); beyond 120 degrees a mitre would run away.
-    length = np.maximum((mitre**2).sum(axis=1), 1.0)
-    moved = flat + aside * 2 * mitre / length[:, None]
-    return [(float(x), float(y)) for x, y in moved]
-
-
-def laid(roads: Sequence[tuple[Sequence[Point], float]]) -> list[Point]:
-    """Return one line along roads, each moved to its right by its own measure.
-
-    Roads too short to be seen follow their neighbour, or the line would start aside and back
-    within a few pixels.
-
-    Parameters
-    ----------
-    roads : sequence of tuple
-        For each road its points in pixels, and how far aside the line lies.
-
-    Returns
-    -------
-    list of tuple of float
-        The line in pixels.
-    """
-    runs: list[tuple[list[Point], float, float]] = []
-    for points, aside in roads:
-        length = sum(math.dist(a, b) for a, b in pairwise(points))
-        if runs:
-            before, old, known = runs[-1]
-            if aside == old or length < SHORT or known < SHORT:
-                wider = aside if length > known else old
-                runs[-1] = [*before, *points], wider, known + length
-                continue
-        runs.append((list(points), aside, length))
-    # Loops of a ramp, tighter than the line is aside, would become stars.
-    return [
-        point
-        for points, aside, _ in runs
-        for point in shifted(_simplified(points, abs(aside) / 5), aside)
-    ]
-
-
-def band_lines(vehicles: int) -> tuple[float, float]:
-    """Return how the lines of a platoon lie in its band.
-
-    Parameters
-    ----------
-    vehicles : int
-        How many there are.
-
-    Returns
-    -------
-    tuple of float
-        The distance between lines and their width, in pixels.
-    """
-    step = min(6.0, 36.0 / vehicles)
-    return step, min(4.0, step * 0.68)
-
-
-def band_width(vehicles: int) -> float:
-    """Return the width of a platoon's band.
-
-    Parameters
-    ----------
-    vehicles : int
-        How many lines lie in it.
-
-    Returns
-    -------
-    float
-        In pixels.
-    """
-    return 6 + band_lines(vehicles)[0] * vehicles
-
-
-def bands_width(beside: Sequence[int]) -> float:
-    """Return the width of several bands side by side, casings included.
-
-    Parameters
-    ----------
-    beside : sequence of int
-        Vehicles in each.
-
-    Returns
-    -------
-    float
-        In pixels.
-    """
-    return sum(band_width(count) + 2 for count in beside)
-
-
-def band_aside(part: BandPart, view: MapView) -> float:
-    """Return how far right of the road a band's middle lies, so that all bands on it show.
-
-    Parameters
-    ----------
-    part : BandPart
-        Of a platoon's line.
-    view : MapView
-        Where on the drawing things lie.
-
-    Returns
-    -------
-    float
-        In pixels.
-    """
-    before = bands_width(part.beside[: part.place])
-    own = bands_width(part.beside[part.place :][:1])
-    whole = bands_width(part.beside)
-    return before + own / 2 - whole / 2 + _apart(part, whole, view)
-
-
-def _apart(part: BandPart | LanePart, width: float, view: MapView) -> float:
-    """Return how far right of its road a strip of lines goes, to let the other way pass it."""
-    if part.opposite_m is None:
-        return 0.0
-    return float(max(0.0, width / 2 + 0.5 - part.opposite_m / view.metres_per_pixel / 2))
-
-
-def solo_step(slots: int) -> float:
-    """Return the distance between vehicles alone on one road.
-
-    Parameters
-    ----------
-    slots : int
-        How many there are.
-
-    Returns
-    -------
-    float
-        In pixels.
-    """
-    return min(7.0, 26.0 / max(slots - 1, 1))
-
-
-def solo_aside(part: LanePart, view: MapView) -> float:
-    """Return how far right of the road a vehicle alone is drawn, clear of any bands on it.
-
-    Parameters
-    ----------
-    part : LanePart
-        Of its line.
-    view : MapView
-        Where on the drawing things lie.
-
-    Returns
-    -------
-    float
-        In pixels.
-    """
-    step = solo_step(part.slots)
-    if part.bands:
-        width = bands_width(part.bands)
-        return float(width / 2 + 4 + step * part.slot + _apart(part, width, view))
-    across = step * (part.slots - 1)
-    return float(step * part.slot - across / 2 + _apart(part, across + SOLO_CASING, view))

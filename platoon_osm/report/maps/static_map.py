@@ -11,17 +11,10 @@ from ..drawing.lines import Point
 from ..drawing.palette import CASING
 from ..drawing.ticks import round_below
 from ..markup.fragments import NOTHING, Markup, fill, join
+from .lanes import band_aside, band_lines, band_width, solo_aside, solo_step
 from .map_texts import NAME_SIZE, placed_callouts, placed_names
-from .map_view import (
-    MapView,
-    band_aside,
-    band_lines,
-    band_width,
-    laid,
-    path_data,
-    solo_aside,
-    solo_step,
-)
+from .map_view import MapView
+from .pixels import laid, path_data
 from .placement import Box, Cover
 from .static_marks import event_places, placed_marks
 

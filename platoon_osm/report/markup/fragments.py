@@ -40,7 +40,18 @@ NOTHING = Markup("")
 
 
 def asset(name: str) -> str:
-    """Return the text of a file under report/assets."""
+    """Return the text of a file under report/assets.
+
+    Parameters
+    ----------
+    name : str
+        Of the file.
+
+    Returns
+    -------
+    str
+        All of it.
+    """
     return (files("platoon_osm.report") / "assets" / name).read_text("utf-8")
 
 
@@ -48,6 +59,16 @@ def compact_asset(name: str) -> Markup:
     """Return a script or style sheet without its comments on lines of their own, nor indents.
 
     No text in our scripts runs over a line end, so nothing else changes; a test holds them to it.
+
+    Parameters
+    ----------
+    name : str
+        Of a file under report/assets.
+
+    Returns
+    -------
+    Markup
+        Our own code, as it is.
     """
     bare = re.sub(r"^[ \t]*/\*.*?\*/[ \t]*\n", "", asset(name), flags=re.DOTALL | re.MULTILINE)
     lines = (line.strip() for line in bare.splitlines())
@@ -71,6 +92,18 @@ def fill(fragment: str, /, **values: object) -> Markup:
 
     Values are put in once and not read again, so a `$` in them stays what it is.
 
+    Parameters
+    ----------
+    fragment : str
+        Its name.
+    **values : object
+        What stands for each placeholder.
+
+    Returns
+    -------
+    Markup
+        The fragment, filled.
+
     Raises
     ------
     KeyError
@@ -81,14 +114,44 @@ def fill(fragment: str, /, **values: object) -> Markup:
 
 
 def fill_page(name: str, /, *, title: str, body: Markup, policy: str, **parts: str) -> str:
-    """Fill a whole page from a file: its title is escaped, `parts` are our own code, as it is."""
+    """Fill a whole page from a file.
+
+    Parameters
+    ----------
+    name : str
+        Of a file under report/assets.
+    title : str
+        Of the page; it is escaped.
+    body : Markup
+        Of the page.
+    policy : str
+        What the page may do.
+    **parts : str
+        Our own code, as it is.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     return Template(asset(name)).substitute(
         title=_escaped(title), body=body, policy=policy, **parts
     )
 
 
 def join(parts: Iterable[Markup]) -> Markup:
-    """Join filled fragments, one a line."""
+    """Join filled fragments, one a line.
+
+    Parameters
+    ----------
+    parts : iterable of Markup
+        Filled fragments.
+
+    Returns
+    -------
+    Markup
+        All of them.
+    """
     return Markup("\n".join(_escaped(part) for part in parts))
 
 

@@ -7,13 +7,23 @@ import hashlib
 import json
 import re
 from collections.abc import Sequence
-from typing import Any
 
 __all__ = ["json_for_html", "policy"]
 
 
-def json_for_html(data: Any) -> str:
-    """Return JSON that cannot end the script element it stands in, nor a line of JavaScript."""
+def json_for_html(data: object) -> str:
+    """Return JSON that cannot end the script element it stands in, nor a line of JavaScript.
+
+    Parameters
+    ----------
+    data : dict, list, str, float, int, bool or None
+        Plain JSON types.
+
+    Returns
+    -------
+    str
+        The same as text.
+    """
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     return re.sub("[<>&\u2028\u2029]", lambda found: f"\\u{ord(found.group()):04x}", text)
 
@@ -23,7 +33,15 @@ def policy(scripts: Sequence[str], styles: Sequence[str], images: str = "") -> s
 
     Parameters
     ----------
-    images : an origin that images may come from, besides the page itself.
+    scripts, styles : sequence of str
+        All that stand in the page.
+    images : str
+        An origin that images may come from, besides the page itself.
+
+    Returns
+    -------
+    str
+        The policy.
     """
     return "; ".join(
         [

@@ -35,6 +35,16 @@ def shown(text: object) -> str:
     """Return a text with what cannot be seen, or reorders its surroundings, as U+FFFD.
 
     Runs of blanks become one space, as a browser would show them.
+
+    Parameters
+    ----------
+    text : object
+        Other people's text.
+
+    Returns
+    -------
+    str
+        The same, fit to be shown.
     """
     plain = _UNFIT.sub(REPLACEMENT, _BLANK.sub(" ", str(text)))
     if plain.isascii():
@@ -49,10 +59,34 @@ def shown(text: object) -> str:
 
 
 def shortened(text: str, most: int) -> str:
-    """Return a text of at most `most` characters, the end replaced by an ellipsis."""
+    """Return a text that is not too long.
+
+    Parameters
+    ----------
+    text : str
+        Fit to be shown.
+    most : int
+        Characters it may have.
+
+    Returns
+    -------
+    str
+        The same, or its beginning and an ellipsis.
+    """
     return text if len(text) <= most else text[: most - 1].rstrip() + "\u2026"
 
 
 def fitted(text: object) -> str:
-    """Return `shown(text)`, at most `LONGEST_TEXT` long."""
+    """Return a text fit to be shown, at most `LONGEST_TEXT` long.
+
+    Parameters
+    ----------
+    text : object
+        Other people's text.
+
+    Returns
+    -------
+    str
+        As `shown` makes it.
+    """
     return shortened(shown(text), LONGEST_TEXT)

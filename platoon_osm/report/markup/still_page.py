@@ -11,7 +11,22 @@ __all__ = ["still_page"]
 
 
 def still_page(title: str, body: Markup, styles: Sequence[str], scripts: Sequence[str] = ()) -> str:
-    """Return a whole page from its body and the names of its style sheets and scripts."""
+    """Return a whole page.
+
+    Parameters
+    ----------
+    title : str
+        Of the page.
+    body : Markup
+        Of the page.
+    styles, scripts : sequence of str
+        Names of files under report/assets.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     style = "".join(compact_asset(name) for name in styles)
     code = join(compact_asset(name) for name in scripts)
     return fill_page(

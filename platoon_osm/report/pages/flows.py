@@ -12,7 +12,8 @@ from ..document.checks import check_path
 from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
 from ..drawing.palette import FLOWS, GAIN, LOSS
-from ..maps.map_view import MapView, path_data, shifted
+from ..maps.map_view import MapView
+from ..maps.pixels import path_data, shifted
 from ..maps.placement import Box, Cover
 from ..maps.static_map import NARROW, static_texts, town_names
 from ..markup.fragments import NOTHING, Markup, fill, join

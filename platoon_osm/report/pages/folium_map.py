@@ -18,7 +18,13 @@ __all__ = ["PlanMap"]
 
 
 class PageFigure(Figure):
-    """A figure that lays out the report page instead of folium's own."""
+    """A figure that lays out the report page instead of folium's own.
+
+    Parameters
+    ----------
+    parts : PageParts
+        What the page is put together from.
+    """
 
     def __init__(self, parts: PageParts) -> None:
         super().__init__()
@@ -28,7 +34,18 @@ class PageFigure(Figure):
         self.header._children.clear()
 
     def render(self, **kwargs: Any) -> str:
-        """Return the page; texts of the plan never pass through Jinja."""
+        """Return the page; texts of the plan never pass through Jinja.
+
+        Parameters
+        ----------
+        **kwargs : dict
+            As folium hands them on.
+
+        Returns
+        -------
+        str
+            HTML.
+        """
         for child in self._children.values():
             child.render(**kwargs)
         (plan_map,) = (child for child in self._children.values() if isinstance(child, PlanMap))
@@ -41,7 +58,13 @@ class PageFigure(Figure):
 
 
 class PlanMap(folium.Map):
-    """A map without any file from elsewhere, with element ids that never change."""
+    """A map without any file from elsewhere, with element ids that never change.
+
+    Parameters
+    ----------
+    parts : PageParts
+        What the page is put together from.
+    """
 
     default_js: list[tuple[str, str]] = []  # noqa: RUF012 (folium's own name and type)
     default_css: list[tuple[str, str]] = []  # noqa: RUF012

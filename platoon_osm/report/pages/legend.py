@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
-from ..maps.map_view import band_lines
+from ..maps.lanes import band_lines
 from ..markup.fragments import NOTHING, Markup, fill, join
 
 __all__ = ["legend"]
