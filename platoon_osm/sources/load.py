@@ -8,12 +8,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ..errors import MapDataError, ScenarioError
 from ..network.load_report import Source
 from ..network.road_network import ROAD_CLASSES, RoadNetwork
-from ..network.saved.store import MAGIC, open_network
 from .catalog import BUNDLED_MAPS, bundled_path
-from .osm.extract import MOTORWAY_CLASSES, read_osm
+from .osm.extract import MOTORWAY_CLASSES
+from .readers import reader_of
 from .truck import TruckRules
 
 __all__ = ["load_network"]
@@ -33,30 +35,44 @@ def load_network(
 
     Parameters
     ----------
-    source : one of
-        the name of a bundled map ("italy-motorways");
-        a path to an OSM extract (.osm.pbf, .osm, .osm.gz, .osm.bz2);
-        a path to GraphML or GeoPackage saved by OSMnx, or to an Overpass answer it cached (.json);
-        a path to a network saved by `save` or `platoon-osm prepare` (.platoon);
-        a live OSMnx `MultiDiGraph`.
-    classes : values of `highway` to load; a saved network is opened as it is.
-    country : ISO code whose speed limit for trucks applies ("IT", "DE", "US-CA").
-    limiter_kmh : what the trucks' speed limiter allows.
-    infer_links : add likely connectors where carriageways meet without a common node, as in
+    source : str, path-like, graph or RoadNetwork
+        The name of a bundled map ("italy-motorways"); a path to an OSM extract (.osm.pbf, .osm,
+        .osm.gz, .osm.bz2), to GraphML or GeoPackage saved by OSMnx, to an Overpass answer it
+        cached (.json), to a network saved by `save` or `platoon-osm prepare` (.platoon), or to
+        any other kind of file that stands in `platoon_osm.sources.readers.READERS`; a live OSMnx
+        `MultiDiGraph`; or a network, which stays as it is.
+    classes : sequence of str
+        Values of `highway` to load; a saved network is opened as it is.
+    country : str, optional
+        ISO code whose speed limit for trucks applies ("IT", "DE", "US-CA").
+    limiter_kmh : float
+        What the trucks' speed limiter allows [km/h].
+    infer_links : bool
+        Whether to add likely connectors where carriageways meet without a common node, as in
         extracts cut to `highway=motorway`; they are marked `inferred`.
+
+    Returns
+    -------
+    RoadNetwork
+        With a report of what was kept, dropped, capped and defaulted.
 
     Raises
     ------
     MapDataError
         The file is missing, unreadable, or holds no such road.
+    NetworkError
+        The source is neither a name, a path nor a graph, or a graph that has no coordinates.
     ScenarioError
-        The country is unknown or the limiter out of range.
+        The country is unknown, the limiter out of range, or another option is none.
     """
     is_list = isinstance(classes, Sequence) and not isinstance(classes, str)
     if not is_list or not all(isinstance(item, str) for item in classes):
         raise ScenarioError(
-            f'classes = {classes!r} must be a list of highway values, as ["motorway", "trunk"]'
+            f"classes = {_shown(classes)} must be a list of highway values, as "
+            '["motorway", "trunk"]'
         )
+    if not isinstance(infer_links, bool | np.bool_):
+        raise ScenarioError(f"infer_links = {_shown(infer_links)} must be True or False")
     net = _read(source, tuple(classes), country, limiter_kmh)
     if infer_links and not net.inferred.any():
         from ..network.preparing.inferred_links import infer_links as add_links
@@ -78,51 +94,43 @@ def _read(
     if isinstance(source, str) and (found := bundled_path(source)):
         bundled, path = found
         own_rules = TruckRules(country or bundled.country, limiter_kmh)
-        net = _with_speed_remark(read_osm(path, classes, own_rules), own_rules)
-        return replace(
-            net,
-            source=Source(
-                bundled.name, net.source.sha256, net.source.extracted,
-                bundled.licence, bundled.attribution,
-            ),
-        )  # fmt: skip
-    path = Path(source)
-    if path.is_dir():
-        raise MapDataError(f"{path}: is a folder; give a file in it, or a name from `maps`")
-    if not path.is_file():
-        names = ", ".join(item.name for item in BUNDLED_MAPS)
-        raise MapDataError(f"{path}: no such file, and no bundled map of that name ({names})")
+        net = _read_file(path, classes, own_rules)
+        read = net.source
+        told = Source(
+            bundled.name, read.sha256, read.extracted, bundled.licence, bundled.attribution
+        )
+        return replace(net, source=told)
+    path = _existing(source)
     return _read_file(path, classes, rules)
 
 
+def _existing(source: Any) -> Path:
+    """Return the path of a file that is there."""
+    try:
+        path = Path(source)
+        if path.is_dir():
+            raise MapDataError(f"{path}: is a folder; give a file in it, or a name from `maps`")
+        if path.is_file():
+            return path
+    except (TypeError, ValueError, OSError):
+        path = Path(_shown(source))
+    names = ", ".join(BUNDLED_MAPS)
+    raise MapDataError(f"{path}: no such file, and no bundled map of that name ({names})")
+
+
 def _read_file(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadNetwork:
-    if _is_saved(path):
-        return _opened(path, classes, rules)
-    suffix = path.suffix.lower()
-    if suffix in {".graphml", ".gpkg", ".json"}:
-        from .graphs import osmnx_graph
-        from .overpass import answers
-
-        reader = {
-            ".graphml": osmnx_graph.read_graphml,
-            ".gpkg": osmnx_graph.read_geopackage,
-            ".json": answers.read_overpass_cache,
-        }[suffix]
-        return _with_speed_remark(reader(path, classes, rules), rules)
-    return _with_speed_remark(read_osm(path, classes, rules), rules)
+    reader = reader_of(path)
+    net = reader.read(path, classes, rules)
+    if not isinstance(net, RoadNetwork):
+        raise MapDataError(
+            f"{path}: reader {reader.name!r} returned a {type(net).__name__}; it must return a "
+            "RoadNetwork"
+        )
+    return _with_speed_remark(net, rules) if reader.follows_rules else net
 
 
-def _is_saved(path: Path) -> bool:
-    with path.open("rb") as handle:
-        return handle.read(len(MAGIC)) == MAGIC or path.suffix.lower() == ".platoon"
-
-
-def _opened(path: Path, classes: tuple[str, ...], rules: TruckRules) -> RoadNetwork:
-    net = open_network(path)
-    if classes == MOTORWAY_CLASSES and rules == TruckRules():
-        return net
-    remark = "opened as it was saved: classes, country and limiter were settled by `prepare`"
-    return net.with_report(net.load_report.extended({}, remark))
+def _shown(value: object) -> str:
+    return " ".join(repr(value).split())[:80]
 
 
 def _with_speed_remark(net: RoadNetwork, rules: TruckRules) -> RoadNetwork:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from numbers import Real
 
 from ..errors import ScenarioError
 
@@ -58,21 +59,31 @@ class TruckRules:
     limiter_kmh: float = 90.0
 
     def __post_init__(self) -> None:
-        if self.country is not None and str(self.country) not in COUNTRY_LIMITS_KMH:
-            known = ", ".join(sorted(COUNTRY_LIMITS_KMH))
-            raise ScenarioError(f"country {self.country!r} has no truck limit here; use {known}")
-        is_number = isinstance(self.limiter_kmh, int | float)
-        if not (is_number and SLOWEST_KMH <= self.limiter_kmh <= FASTEST_KMH):
+        country, limiter = self.country, self.limiter_kmh
+        known = isinstance(country, str) and country in COUNTRY_LIMITS_KMH
+        if country is not None and not known:
             raise ScenarioError(
-                f"limiter_kmh {self.limiter_kmh!r}: a speed limiter lies between "
+                f"country {_shown(country)} has no truck limit here; use "
+                f"{', '.join(sorted(COUNTRY_LIMITS_KMH))}"
+            )
+        # Numpy's numbers are numbers too; True is none.
+        is_number = isinstance(limiter, Real) and not isinstance(limiter, bool)
+        if not (is_number and SLOWEST_KMH <= limiter <= FASTEST_KMH):
+            raise ScenarioError(
+                f"limiter_kmh {_shown(limiter)}: a speed limiter lies between "
                 f"{SLOWEST_KMH:g} and {FASTEST_KMH:g} km/h"
             )
+        object.__setattr__(self, "limiter_kmh", float(limiter))
 
     @property
     def cap_kmh(self) -> float:
         """The lower of the country's limit and the limiter."""
         limit = COUNTRY_LIMITS_KMH[self.country] if self.country else self.limiter_kmh
         return min(limit, self.limiter_kmh)
+
+
+def _shown(value: object) -> str:
+    return " ".join(repr(value).split())[:80]
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,7 +67,7 @@ def test_the_bundled_map_knows_its_country_and_licence():
 
 
 def test_bundled_maps_are_there():
-    for bundled in BUNDLED_MAPS:
+    for bundled in BUNDLED_MAPS.values():
         found = bundled_path(bundled.name)
         assert found is not None
         assert found[1].name == bundled.file

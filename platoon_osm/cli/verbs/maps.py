@@ -23,7 +23,7 @@ def verb(source: str | None, **loading: Any) -> None:
     from ...sources.load import load_network
 
     if source is None:
-        for bundled in BUNDLED_MAPS:
+        for bundled in BUNDLED_MAPS.values():
             click.echo(f"{bundled.name}: {bundled.about} ({bundled.licence})")
         return
     net = load_network(source, **loading)

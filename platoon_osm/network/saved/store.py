@@ -25,14 +25,13 @@ from ...atomic_file import whole_file
 from ...errors import MapDataError, NetworkError
 from ..columns import COLUMNS, columns_per
 from ..load_report import LoadReport, Source
-from ..road_network import NamedPoints, RoadNetwork
+from ..road_network import NamedPoints, RoadNetwork, checked_network
 from ..texts import TextTable
+from .beginning import FORMAT_VERSION, MAGIC
 from .checks import check_arrays
 
 __all__ = ["FORMAT_VERSION", "MAGIC", "open_network", "save_network"]
 
-MAGIC = b"PLTNNET"
-FORMAT_VERSION = 2
 ALIGNMENT = 64
 BEFORE_HEADER = len(MAGIC) + 1 + 8 + 32
 
@@ -59,7 +58,7 @@ def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     NetworkError
         The network was not made by `from_edges` and its arrays do not fit each other.
     """
-    arrays = _arrays(net)
+    arrays = _arrays(checked_network(net))
     try:
         check_arrays(arrays)
     except ValueError as error:
@@ -81,7 +80,7 @@ def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
         }
     ).encode()
     header += b" " * (-(BEFORE_HEADER + len(header)) % ALIGNMENT)
-    with whole_file(path, MapDataError) as draft, draft.open("wb") as out:
+    with whole_file(as_path(path), MapDataError) as draft, draft.open("wb") as out:
         out.write(MAGIC + bytes([FORMAT_VERSION]) + len(header).to_bytes(8, "little"))
         out.write(hashlib.sha256(header).digest() + header)
         for array in arrays.values():
@@ -109,7 +108,7 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
     MapDataError
         Not a saved network, cut short, damaged, or written by another version of the format.
     """
-    file = Path(path)
+    file = as_path(path)
     try:
         with file.open("rb") as handle:
             start = handle.read(BEFORE_HEADER)
@@ -149,6 +148,34 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
     except (KeyError, TypeError, ValueError) as error:
         # The header is as it was written, so another program wrote it, or one of the future.
         raise _damaged(file, " ".join(str(error).split())[:100]) from error
+
+
+def as_path(path: Any) -> Path:
+    """Refuse what cannot name a file.
+
+    Parameters
+    ----------
+    path : object
+        What somebody gave.
+
+    Returns
+    -------
+    Path
+        The same, as a path.
+
+    Raises
+    ------
+    MapDataError
+        It is no path, or one that no file can have.
+    """
+    try:
+        name = os.fspath(path)
+    except TypeError:
+        name = b""
+    if not isinstance(name, str) or "\0" in name:
+        shown = " ".join(repr(path).split())[:80]
+        raise MapDataError(f"file {shown}: give the path of a saved network as text or Path")
+    return Path(name)
 
 
 def _damaged(file: Path, why: str) -> MapDataError:

@@ -26,7 +26,7 @@ from ...network.load_report import Source
 from ..file_identity import osm_source
 from .josm import deleted_ways, new_node_positions, xml_items
 
-__all__ = ["RawMap", "TagReader", "read_raw"]
+__all__ = ["OsmNameError", "RawMap", "TagReader", "read_raw"]
 
 NODE_TAGS = (
     ("highway", "motorway_junction"), ("highway", "services"), ("highway", "rest_area"),
@@ -43,6 +43,10 @@ WKB_HEADER = 18
 """Hex digits of a WKB line before its points: byte order, type and number of points."""
 
 ESCAPE = re.compile(r"%([0-9a-f]{1,6})%")
+
+
+class OsmNameError(MapDataError):
+    """A file whose name tells libosmium nothing, nor do its first bytes."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -257,7 +261,12 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
             "correct or remove it"
         ) from error
     except (RuntimeError, ValueError) as error:
-        raise MapDataError(f"{path}: {_misnamed(path) or _why(str(error))}") from error
+        misnamed, said = _misnamed(path), " ".join(str(error).split())[:200]
+        if not misnamed and "file format" in said:
+            raise OsmNameError(
+                f"{path}: not an OSM file by its name; use .osm.pbf, .osm, .osm.gz or .osm.bz2"
+            ) from error
+        raise MapDataError(f"{path}: {misnamed or _why(said)}") from error
     return collector
 
 
@@ -282,11 +291,8 @@ def _misnamed(path: Path) -> str:
     return ""
 
 
-def _why(message: str) -> str:
+def _why(said: str) -> str:
     """Say in one line what libosmium found wrong, and what to do."""
-    said = " ".join(message.split())[:200]
-    if "file format" in said:
-        return "not an OSM file by its name; use .osm.pbf, .osm, .osm.gz or .osm.bz2"
     if any(word in said for word in CUT_SHORT):
         return f"the file is cut short or damaged ({said}); download it again"
     return f"not a readable OSM file ({said}); download the extract again"
