@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from ..costs.weights import EdgeWeights
 from ..network.road_network import RoadNetwork
 from ..search.joining import TIE
-from ..search.protocol import EngineName, LeastCosts
+from ..search.least_paths import LeastCosts, fewest_edges, good_edges
+from ..search.protocol import EngineName
 from ..search.searches import engine_for
 from ..search.trees import Trees
 
@@ -88,9 +89,11 @@ def plan_pair(
     )
     if least > solo_cost + slack:
         return apart
-    ends = near[total <= least + slack]
-    starts = near[there[0][near] + there[1][near] <= together.dist[near] + slack]
-    shared, end = _longest(net, together, pair_weight, starts, ends, slack)
+    limit = least + slack
+    ends = {
+        node: float(onward[0][node] + onward[1][node]) for node in near[total <= limit].tolist()
+    }
+    shared, end = _longest(net, together, pair_weight, ends, limit, slack)
     if not len(shared) or (least >= solo_cost - slack and not net.length_m[shared].any()):
         return apart
     start = int(net.tail[shared[0]])
@@ -109,60 +112,62 @@ def _longest(
     net: RoadNetwork,
     together: LeastCosts,
     weight: Floats,
-    starts: Edges,
-    ends: Edges,
+    ends: dict[int, float],
+    limit: float,
     slack: float,
 ) -> tuple[Edges, int]:
     """Of equally good shared stretches return the longest [m], and the node where it ends.
 
-    The tree holds one least-cost stretch to each node. All of them consist of tight edges: those
-    by which the label of their head can be reached.
+    `ends` are the nodes where a plan within the limit may part, and what is left to pay there. Of
+    equally long stretches that to the smallest node is taken, of these one of fewest edges.
     """
-    label = together.dist
-    edges = _tight_edges(net, label, weight, ends, slack)
-    edges = edges[np.argsort(label[net.tail[edges]], kind="stable")]
-    longest = dict.fromkeys(starts.tolist(), 0.0)
-    by: dict[int, int] = {}
-    improved = True
-    # Edges of zero length join nodes of one label in any order, so one pass may not be enough.
-    while improved:
-        improved = False
-        for edge in edges.tolist():
-            head = int(net.head[edge])
-            reach = longest.get(int(net.tail[edge]), -np.inf) + float(net.length_m[edge])
-            if reach > longest.get(head, -np.inf):
-                longest[head], by[head], improved = reach, edge, True
-    reached = [node for node in ends.tolist() if node in longest]
+    good = good_edges(net, weight, together.dist, ends, limit)
+    starts = [node for node, rest in good.cost.items() if together.label(node) + rest <= limit]
+    edges = _tight_edges(net, together.dist, weight, good.edges, slack)
+    longest = _longest_to(edges, starts)
+    reached = [node for node in ends if node in longest]
     if not reached:
         # Only over edges that lead on at no cost; any stretch will do.
-        end = int(ends[0])
+        end = min(ends)
         return together.path(end), end
     end = max(reached, key=lambda node: (longest[node], -node))
-    stretch: list[int] = []
-    node = end
-    while node in by:
-        stretch.append(by[node])
-        node = int(net.tail[stretch[-1]])
-    return np.array(stretch[::-1], np.int64), end
+    exact = [
+        edge
+        for edge, tail, head, length in edges
+        if tail in longest and longest[tail] + length == longest[head]
+    ]
+    first = [node for node in starts if longest[node] == 0]
+    return np.array(fewest_edges(net, exact, first, end), np.int64), end
+
+
+def _longest_to(edges: list[tuple[int, int, int, float]], starts: list[int]) -> dict[int, float]:
+    """Return the nodes that some edges lead to from any start, and how far that may be [m].
+
+    Empty if there is no longest way, for one could drive in circles.
+    """
+    longest = dict.fromkeys(starts, 0.0)
+    # Edges of zero length join nodes of one label in any order, so one pass may not be enough.
+    for _ in range(len(edges) + 1):
+        improved = False
+        for _, tail, head, length in edges:
+            reach = longest.get(tail, -np.inf) + length
+            if reach > longest.get(head, -np.inf):
+                longest[head], improved = reach, True
+        if not improved:
+            return longest
+    return {}
 
 
 def _tight_edges(
-    net: RoadNetwork, label: Floats, weight: Floats, ends: NDArray[np.int64], slack: float
-) -> Edges:
-    """Return the tight edges on the ways to some nodes, found walking backwards from these."""
-    incoming, first_in = net.incoming()
-    found: list[int] = []
-    seen = set(ends.tolist())
-    queue = list(seen)
-    while queue:
-        node = queue.pop()
-        for edge in incoming[first_in[node] : first_in[node + 1]].tolist():
-            tail = int(net.tail[edge])
-            # An edge that leads on at no cost could be driven in circles for ever.
-            onward = label[tail] < label[node] or net.length_m[edge] == 0
-            if onward and label[tail] + weight[edge] <= label[node] + slack:
-                found.append(edge)
-                if tail not in seen:
-                    seen.add(tail)
-                    queue.append(tail)
-    return np.array(sorted(found), np.int64)
+    net: RoadNetwork, label: Floats, weight: Floats, good: list[int], slack: float
+) -> list[tuple[int, int, int, float]]:
+    """Return edge, tail, head and length [m] of good edges that lead on, the first to drive first.
+
+    An edge that leads on at no cost could be driven in circles for ever; if it has no length, that
+    makes nothing longer.
+    """
+    edges = np.array(sorted(good), np.int64)
+    edges = edges[(weight[edges] > slack) | (net.length_m[edges] == 0)]
+    edges = edges[np.argsort(label[net.tail[edges]], kind="stable")]
+    columns = (edges, net.tail[edges], net.head[edges], net.length_m[edges])
+    return list(zip(*(column.tolist() for column in columns), strict=True))

@@ -26,7 +26,7 @@ enough; then the least cost is counted for each number of edges, and the walk ke
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
@@ -37,7 +37,7 @@ from ..network.road_network import RoadNetwork
 from .arguments import checked_node, no_route
 from .joining import TIE
 
-__all__ = ["LeastCosts"]
+__all__ = ["GoodEdges", "LeastCosts", "fewest_edges", "good_edges"]
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
@@ -98,141 +98,228 @@ class LeastCosts:
             raise no_route(self.net, end, self.forward)
         return np.array(_chosen(self, end), np.int64)
 
-    def _label(self, node: int) -> float:
-        """Return what starting at a node costs."""
+    def label(self, node: int) -> float:
+        """Return what starting at a node costs.
+
+        Parameters
+        ----------
+        node : int
+            Node position.
+
+        Returns
+        -------
+        float
+            0 at the root; inf where no path may start.
+        """
         if self.root >= 0:
             return 0.0 if node == self.root else NOWHERE
         return float(sum(part[node] for part in self.labels))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Good:
-    """The edges of paths that are good enough.
+class GoodEdges:
+    """The edges of paths that are good enough, found from one end.
 
     Attributes
     ----------
-    out : for each node on them, the edges by which they go on.
-    into : for each node on them, the edges by which they come.
-    before : least cost of getting to a node from where paths start.
-    head, tail, weight : of an edge.
+    net : RoadNetwork
+        The network searched.
+    edges : list of int
+        Edge ids.
+    cost : dict of int to float
+        The nodes on these paths, and their least costs to (or from) the end.
+    by : dict of int to int
+        For each of these nodes but the end, an edge by which it costs that.
     """
 
-    out: dict[int, list[int]]
-    into: dict[int, list[int]]
-    before: Callable[[int], float]
-    head: memoryview
-    tail: memoryview
-    weight: memoryview
+    net: RoadNetwork
+    edges: list[int]
+    cost: dict[int, float]
+    by: dict[int, int]
 
 
-def _chosen(costs: LeastCosts, end: int) -> list[int]:
-    """Return the edges of the path between the root, or a start, and a node."""
-    net, forward, root = costs.net, costs.forward, costs.root
+def good_edges(
+    net: RoadNetwork,
+    weight: Floats,
+    dist: Floats,
+    ends: dict[int, float],
+    limit: float,
+    forward: bool = True,
+    root: int = -1,
+) -> GoodEdges:
+    """Return all edges of paths whose cost is within a limit, found from where the paths end.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network searched.
+    weight : ndarray of float, (m,)
+        Cost of each edge, inf where closed.
+    dist : ndarray of float, (n,)
+        Least cost of each node from where paths start (forward), or to where they end (backward).
+    ends : dict of int to float
+        The nodes at the other end of the paths, and what is added there.
+    limit : float
+        Cost of a path, with what is added, that is still good enough.
+    forward : bool
+        Whether `dist` is counted from where paths start.
+    root : int
+        The only node that `dist` is counted from, or to; -1 if there are several.
+
+    Returns
+    -------
+    GoodEdges
+        Edges, and costs of the nodes they join.
+    """
     # Indexing a memoryview gives plain numbers, in half the time that an array takes.
-    dist, weight = costs.dist.data, costs.weight.data
-    head, tail = net.head.data, net.tail.data
-    limit = dist[end] * (1 + TIE)
+    far, price = dist.data, weight.data
     if forward:
         arrays = net.incoming()
-        edges, first, other = arrays[0].data, arrays[1].data, tail
+        edges, first, other = arrays[0].data, arrays[1].data, net.tail.data
     else:
-        edges, first, other = None, net.first_out.data, head
-    cost = {end: 0.0}
+        edges, first, other = None, net.first_out.data, net.head.data
+    cost = dict(ends)
     by: dict[int, int] = {}
     good: list[int] = []
-    queue = [(0.0, end)]
+    queue = sorted((so_far, node) for node, so_far in ends.items())
     while queue:
         so_far, node = heappop(queue)
         if so_far > cost[node] or node == root:
             continue  # found a better way since; or there is no more to go
         begin, stop = first[node], first[node + 1]
         for edge in range(begin, stop) if edges is None else edges[begin:stop]:
-            total = so_far + weight[edge]
+            total = so_far + price[edge]
             onward = other[edge]
-            if total + dist[onward] <= limit and onward != node:
+            if total + far[onward] <= limit and onward != node:
                 good.append(edge)
                 if total < cost.get(onward, NOWHERE):
                     cost[onward] = total
                     by[onward] = edge
                     heappush(queue, (total, onward))
-    if root >= 0 and len(good) == len(cost) - 1:
-        return _only(by, root, end, head if forward else tail, forward)
-    out: dict[int, list[int]] = {}
-    into: dict[int, list[int]] = {}
-    for edge in sorted(good):
-        out.setdefault(tail[edge], []).append(edge)
-        into.setdefault(head[edge], []).append(edge)
-    before = dist.__getitem__ if forward else cost.__getitem__
-    ways = _Good(out, into, before, head, tail, weight)
-    if not forward:
-        return _fewest(ways, {end: 0.0}, root, limit)
-    starts = {node: costs._label(node) for node in cost}
-    starts = {node: label for node, label in starts.items() if label + cost[node] <= limit}
-    return _fewest(ways, starts, end, limit)
+    return GoodEdges(net, good, cost, by)
 
 
-def _only(by: dict[int, int], root: int, end: int, step: memoryview, forward: bool) -> list[int]:
-    """Return the edges of the only path there is."""
-    path = []
-    node = root
-    while node != end:
-        path.append(by[node])
-        node = step[path[-1]]
-    return path if forward else path[::-1]
+def fewest_edges(
+    net: RoadNetwork, edges: Iterable[int], starts: Collection[int], end: int
+) -> list[int]:
+    """Return the path along some edges that has the fewest, and of these the smallest edge ids.
 
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network searched.
+    edges : iterable of int
+        Edge ids that the path may take.
+    starts : collection of int
+        Nodes where it may start; of equally near ones the smallest is taken.
+    end : int
+        Node where it ends; it can be reached from a start.
 
-def _fewest(good: _Good, starts: dict[int, float], end: int, limit: float) -> list[int]:
-    """Return the path of fewest edges from a start, of these the lexicographically smallest."""
+    Returns
+    -------
+    list of int
+        Edge ids in driving order.
+    """
+    out, into = _joined(net, edges)
+    tail, head = net.tail.data, net.head.data
     left = {end: 0}
     wave = [end]
     for node in wave:
-        for edge in good.into.get(node, ()):
-            before = good.tail[edge]
+        for edge in into.get(node, ()):
+            before = tail[edge]
             if before not in left:
                 left[before] = left[node] + 1
                 wave.append(before)
     node = min((node for node in starts if node in left), key=lambda node: (left[node], node))
-    total = starts[node]
     path: list[int] = []
     for rest in range(left[node] - 1, -1, -1):
-        edge = next(e for e in good.out[node] if left.get(good.head[e]) == rest)
-        path.append(edge)
-        total += good.weight[edge]
-        node = good.head[edge]
-    return path if total <= limit else _within_budget(good, starts, end, limit) or path
+        path.append(next(edge for edge in out[node] if left.get(head[edge]) == rest))
+        node = head[path[-1]]
+    return path
+
+
+def _chosen(costs: LeastCosts, end: int) -> list[int]:
+    """Return the edges of the path between the root, or a start, and a node."""
+    net, forward, root = costs.net, costs.forward, costs.root
+    limit = float(costs.dist[end]) * (1 + TIE)
+    good = good_edges(net, costs.weight, costs.dist, {end: 0.0}, limit, forward, root)
+    if root >= 0 and len(good.edges) == len(good.cost) - 1:
+        return _only(good, root, end, forward)
+    if forward:
+        starts = {node: costs.label(node) for node in good.cost}
+        starts = {node: cost for node, cost in starts.items() if cost + good.cost[node] <= limit}
+        before: Callable[[int], float] = costs.dist.data.__getitem__
+    else:
+        starts, end = {end: 0.0}, root
+        before = good.cost.__getitem__
+    path = fewest_edges(net, good.edges, starts, end)
+    start = int(net.tail[path[0]]) if path else end
+    total = starts[start] + sum(costs.weight[path].tolist())
+    if total <= limit:
+        return path
+    return _within_budget(costs, good, before, starts, end, limit) or path
+
+
+def _only(good: GoodEdges, root: int, end: int, forward: bool) -> list[int]:
+    """Return the edges of the only path there is."""
+    step = (good.net.head if forward else good.net.tail).data
+    path = []
+    node = root
+    while node != end:
+        path.append(good.by[node])
+        node = step[path[-1]]
+    return path if forward else path[::-1]
+
+
+def _joined(
+    net: RoadNetwork, edges: Iterable[int]
+) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
+    """Return of some edges those that leave each node, and those that reach it, ascending."""
+    tail, head = net.tail.data, net.head.data
+    out: dict[int, list[int]] = {}
+    into: dict[int, list[int]] = {}
+    for edge in sorted(edges):
+        out.setdefault(tail[edge], []).append(edge)
+        into.setdefault(head[edge], []).append(edge)
+    return out, into
 
 
 def _within_budget(
-    good: _Good, starts: dict[int, float], end: int, limit: float
+    costs: LeastCosts,
+    good: GoodEdges,
+    before: Callable[[int], float],
+    starts: dict[int, float],
+    end: int,
+    limit: float,
 ) -> list[int] | None:
-    """Return the same as `_fewest`, where good edges add up to paths that are not good enough.
+    """Return what `fewest_edges` would, where edges add up to paths that are not good enough.
 
-    The k-th layer holds the least cost to the end with exactly k edges.
+    The k-th layer holds the least cost to the end with exactly k edges; `before` tells the least
+    cost of getting to a node.
     """
+    out, into = _joined(good.net, good.edges)
+    tail, head, weight = good.net.tail.data, good.net.head.data, costs.weight.data
     layers = [{end: 0.0}]
     while not (able := _able(starts, layers[-1], limit)):
         layer: dict[int, float] = {}
         for node, cost in layers[-1].items():
-            for edge in good.into.get(node, ()):
-                before, total = good.tail[edge], cost + good.weight[edge]
-                fits = total + good.before(before) <= limit
-                if fits and total < layer.get(before, NOWHERE):
-                    layer[before] = total
-        if not layer or len(layers) > len(good.into):
+            for edge in into.get(node, ()):
+                onward, total = tail[edge], cost + weight[edge]
+                if total + before(onward) <= limit and total < layer.get(onward, NOWHERE):
+                    layer[onward] = total
+        if not layer or len(layers) > len(good.cost):
             return None
         layers.append(layer)
     node = min(able)
     spent = starts[node]
     path: list[int] = []
     for layer in layers[-2::-1]:
-        rest = {
-            edge: good.weight[edge] + layer.get(good.head[edge], NOWHERE) for edge in good.out[node]
-        }
+        rest = {edge: weight[edge] + layer.get(head[edge], NOWHERE) for edge in out[node]}
         # Sums in another order may miss the budget by a last digit; the least then keeps to it.
         least = min(rest, key=rest.__getitem__)
         path.append(next((edge for edge in rest if spent + rest[edge] <= limit), least))
-        spent += good.weight[path[-1]]
-        node = good.head[path[-1]]
+        spent += weight[path[-1]]
+        node = head[path[-1]]
     return path
 
 
