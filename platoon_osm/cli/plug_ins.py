@@ -18,6 +18,9 @@ table, and scenarios may name it.
     from platoon_osm.report.exporters import EXPORTERS, Exporter
     EXPORTERS.add(Exporter("kml", "routes for a globe to write", ".kml", write_kml))
 
+    from platoon_osm.sources.readers import READERS, Reader
+    READERS.add(Reader("links", (".links",), "list of links, one a line", read_links))
+
 Such a module should import what is heavy only where it is used: it is loaded for `--help` too.
 What cannot be loaded is told in one line, and the rest works on.
 """

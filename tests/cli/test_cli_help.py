@@ -9,6 +9,7 @@ import platoon_osm
 from platoon_osm.cli.verbs import VERBS
 from platoon_osm.costs.fuel import FUEL_SAVINGS
 from platoon_osm.report.exporters import EXPORTERS, Exporter
+from platoon_osm.sources.readers import READERS
 
 
 def test_the_verbs_there_are():
@@ -40,6 +41,14 @@ def test_maps_lists_the_bundled_ones(capsys):
     out, err = capsys.readouterr()
     assert out.startswith("italy-motorways: ")
     assert err == ""
+
+
+def test_maps_lists_the_kinds_of_file(capsys):
+    assert run("maps") == 0
+    out = capsys.readouterr().out
+    for reader in READERS.values():
+        assert reader.about in out
+        assert all(suffix in out for suffix in reader.suffixes)
 
 
 @pytest.mark.parametrize("name", ["case", "help", "mile stones", "1st"])

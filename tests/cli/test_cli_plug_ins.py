@@ -109,3 +109,21 @@ def test_a_broken_extension_is_told_and_the_others_work(site):
         "platoon-osm: extension 'bad' of abroad cannot be loaded "
         "(ZeroDivisionError: division by zero); mend or uninstall abroad\n"
     )
+
+
+def test_an_extension_adds_a_reader(site):
+    text = """
+from platoon_osm.sources.readers import READERS, Reader
+
+def read(path, classes, rules):
+    from platoon_osm.sources.load import load_network
+    return load_network("italy-motorways", classes)
+
+READERS.add(Reader("links", (".links",), "list of links, one a line", read))
+"""
+    install(site, "formats", {EXTENSIONS: {"links": "links_reader"}}, links_reader=text)
+    Path("roads.links").write_text("")
+    assert ".links: list of links, one a line" in command("maps", path=site).stdout
+    done = command("maps", "roads.links", path=site)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "RoadNetwork italy-motorways" in done.stdout
