@@ -27,8 +27,22 @@ def whole_file(
 
     Parameters
     ----------
-    refusal : the error to raise if the file cannot be written.
-    suffix : of the draft, which some writers look at; by default that of `path`.
+    path : path-like
+        The file to be.
+    refusal : type of PlatoonError
+        The error to raise if the file cannot be written.
+    suffix : str, optional
+        Of the draft, which some writers look at; by default that of `path`.
+
+    Yields
+    ------
+    Path
+        Where to write.
+
+    Raises
+    ------
+    PlatoonError
+        Of the class `refusal`: the folder is missing, or the file cannot be written.
     """
     target = Path(path)
     try:

@@ -17,12 +17,30 @@ _offers: dict[str, str] = {}
 
 
 def offer(name: str, module: str) -> None:
-    """Offer a function of a module, which is loaded when it is first asked for."""
+    """Offer a function of a module, which is loaded when it is first asked for.
+
+    Parameters
+    ----------
+    name : str
+        What people call it by.
+    module : str
+        Dotted name of the module in which it stands under that name.
+    """
     _offers[name] = module
 
 
 def offered(name: str) -> Callable[..., Any]:
     """Return a function that somebody offers.
+
+    Parameters
+    ----------
+    name : str
+        What it was offered as.
+
+    Returns
+    -------
+    callable
+        The function itself; its module is loaded now.
 
     Raises
     ------

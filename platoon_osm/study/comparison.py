@@ -25,9 +25,12 @@ class Printed:
 
     Attributes
     ----------
-    label : what it is.
-    value : in `unit`; a range for the axis of the cost surfaces.
-    unit : "%" or "km".
+    label : str
+        What it is.
+    value : tuple of float
+        In `unit`; a range for the axis of the cost surfaces.
+    unit : {"%", "km"}
+        Of `value`.
     """
 
     label: str
@@ -52,12 +55,18 @@ class Row:
 
     Attributes
     ----------
-    number : key of `PRINTED`.
-    network : how vehicles are placed; see `network_label`.
-    mixing : "printed" or "gain".
-    counted : whose cost, or who counts as taking part.
-    method : "dijkstra" or "astar".
-    ours : in the unit of the printed number.
+    number : str
+        Key of `PRINTED`.
+    network : str
+        How vehicles are placed; see `network_label`.
+    mixing : {"printed", "gain"}
+        Reading of eq. 13.
+    counted : str
+        Whose cost, or who counts as taking part.
+    method : {"dijkstra", "astar"}
+        How routes are found.
+    ours : Estimate
+        In the unit of the printed number.
     """
 
     number: str
@@ -68,7 +77,13 @@ class Row:
     ours: Estimate
 
     def agrees(self) -> bool:
-        """Whether the interval holds the printed number, or lies in the printed range."""
+        """Tell whether the interval holds the printed number, or lies in the printed range.
+
+        Returns
+        -------
+        bool
+            For a range our value decides, without its interval.
+        """
         printed = PRINTED[self.number].value
         if len(printed) == 1:
             return self.ours.covers(printed[0])
@@ -76,7 +91,18 @@ class Row:
 
 
 def network_label(result: StudyResult) -> str:
-    """Return how a study's vehicles are placed, in a few words."""
+    """Return how a study's vehicles are placed, in a few words.
+
+    Parameters
+    ----------
+    result : StudyResult
+        Of any study.
+
+    Returns
+    -------
+    str
+        Such as "200 km, points in the circle".
+    """
     network = result.study.network
     km = f"{network.spawn_diameter_m / 1000:g} km"
     if not isinstance(network, RandomNetwork):
@@ -86,7 +112,18 @@ def network_label(result: StudyResult) -> str:
 
 
 def compare(results: Sequence[StudyResult]) -> list[Row]:
-    """Return all printed numbers under all readings of some studies, in a fixed order."""
+    """Return all printed numbers under all readings of some studies, in a fixed order.
+
+    Parameters
+    ----------
+    results : sequence of StudyResult
+        One for each placing of the vehicles.
+
+    Returns
+    -------
+    list of Row
+        Study by study, method by method, mixing by mixing.
+    """
     rows: list[Row] = []
     for result in results:
         label, study = network_label(result), result.study
@@ -124,10 +161,16 @@ def agreement(rows: Sequence[Row]) -> list[tuple[float, str, str, str, str, dict
     A reading is a placing of vehicles, a mixing, a total and a way to count who takes part; its
     savings are Dijkstra's, as in the paper. Readings for which a number is missing are left out.
 
+    Parameters
+    ----------
+    rows : sequence of Row
+        Of `compare`.
+
     Returns
     -------
-    list of (mean distance in percentage points, network, mixing, total, involvement, numbers),
-        best first.
+    list of tuple
+        (mean distance in percentage points, network, mixing, total, involvement, numbers), best
+        first.
     """
     at = {(r.number, r.network, r.mixing, r.counted, r.method): r.ours for r in rows}
     ranked = []
@@ -154,8 +197,15 @@ def verdict(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> str:
 
     Parameters
     ----------
-    rows : of `compare`.
-    results : the studies, to say what no draw of theirs could give.
+    rows : sequence of Row
+        Of `compare`.
+    results : sequence of StudyResult
+        The studies, to say what no draw of theirs could give.
+
+    Returns
+    -------
+    str
+        Plain text.
 
     Raises
     ------

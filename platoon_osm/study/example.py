@@ -22,11 +22,18 @@ class Example:
 
     Attributes
     ----------
-    draw : the network and trips.
-    master : which vehicle keeps its route.
-    routes : for each vehicle its edges before, in and after the platoon.
-    longest : the member that stays longest in the platoon; -1 if nobody joins.
-    tau, xi, mixing : for which the routes are best.
+    draw : Draw
+        The network and trips.
+    master : int
+        Which vehicle keeps its route.
+    routes : tuple of (ndarray, ndarray, ndarray)
+        For each vehicle its edges before, in and after the platoon.
+    longest : int
+        The member that stays longest in the platoon; -1 if nobody joins.
+    tau, xi : float
+        For which the routes are best.
+    mixing : {"printed", "gain"}
+        For which the routes are best.
     """
 
     draw: Draw
@@ -42,6 +49,18 @@ def example_of(result: StudyResult, run: int = 0) -> Example:
     """Draw a run of a study again and find its routes.
 
     The point is the study's first further one, or the last of its grid.
+
+    Parameters
+    ----------
+    result : StudyResult
+        Of any study.
+    run : int
+        Number of the run, from 0.
+
+    Returns
+    -------
+    Example
+        The run's routes.
     """
     study = result.study
     mixing, method = 0, study.methods.index("dijkstra") if "dijkstra" in study.methods else 0

@@ -62,7 +62,20 @@ def _new_figure(height_in: float, **options: Any) -> Figure:
 
 
 def save_figure(figure: Figure, stem: Path) -> tuple[Path, Path]:
-    """Write a figure as `stem.png` (300 dpi) and `stem.svg`; return both paths."""
+    """Write a figure as `stem.png` (300 dpi) and `stem.svg`.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Drawn already.
+    stem : Path
+        The files' path without suffix.
+
+    Returns
+    -------
+    png, svg : Path
+        What was written.
+    """
     png, svg = stem.with_suffix(".png"), stem.with_suffix(".svg")
     with _drawing():
         with whole_file(png) as draft:
@@ -77,7 +90,13 @@ def network_figure(examples: Sequence[tuple[str, Example]]) -> Figure:
 
     Parameters
     ----------
-    examples : a title and a run for each panel.
+    examples : sequence of (str, Example)
+        A title and a run for each panel.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be saved by `save_figure`.
     """
     with _drawing():
         figure = _new_figure(4.1 if len(examples) > 1 else 6.4, layout="constrained")
@@ -145,7 +164,20 @@ def _network_panel(panel: Axes, example: Example) -> None:
 
 
 def cost_figure(result: StudyResult, method: int = 0) -> Figure:
-    """Draw the cost surfaces alone and jointly, and the saving, for each mixing of a study."""
+    """Draw the cost surfaces alone and jointly, and the saving, for each mixing of a study.
+
+    Parameters
+    ----------
+    result : StudyResult
+        Of any study.
+    method : int
+        Position in the study's methods.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be saved by `save_figure`.
+    """
     study = result.study
     shape = study.grid_shape
     count = int(np.prod(shape))
@@ -197,7 +229,22 @@ def cost_figure(result: StudyResult, method: int = 0) -> Figure:
 
 
 def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int = 0) -> Figure:
-    """Draw the share of members that join, and that truly merge and separate, for each reading."""
+    """Draw the share of members that join, and that truly merge and separate, for each reading.
+
+    Parameters
+    ----------
+    results : sequence of StudyResult
+        A column of panels for each.
+    method : {"dijkstra", "astar"}
+        One that all of them ran.
+    mixing : int
+        Position in the studies' mixings.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be saved by `save_figure`.
+    """
     shown: tuple[tuple[str, Any], ...] = (
         ("joined at all", "joined"), ("truly merge and separate", "merges and separates"),
     )  # fmt: skip

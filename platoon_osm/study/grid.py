@@ -34,15 +34,21 @@ def best_on_grid(
 
     Parameters
     ----------
-    entry, leave : (N, K + 1) costs alone to each route node, and from each to the destination.
-    solo : (N,) cost alone.
-    length : (K + 1,) metres along the route up to each node.
-    factor : (G,) platoon cost of one metre.
+    entry, leave : ndarray of float, (N, K + 1)
+        Costs alone to each node of the route, and from each to the destination.
+    solo : ndarray of float, (N,)
+        Cost alone.
+    length : ndarray of float, (K + 1,)
+        Metres along the route up to each node.
+    factor : ndarray of float, (G,)
+        Platoon cost of one metre.
 
     Returns
     -------
-    i, j : (N, G) -1 where staying alone is cheaper.
-    cost : (N, G)
+    i, j : ndarray of int, (N, G)
+        Positions on the route; -1 where staying alone is cheaper.
+    cost : ndarray of float, (N, G)
+        What the member pays in all.
     """
     first, last = np.triu_indices(len(length), 1)
     together = length[last] - length[first]
@@ -94,12 +100,19 @@ def _best_lines(
 
 
 def shared_metres(i: Index, j: Index, length: Floats) -> Floats:
-    """Return how many metres of the master's route have company, for each point (G,).
+    """Return how many metres of the master's route have company, for each point.
 
     Parameters
     ----------
-    i, j : (N, G) positions on the route; -1 for members that stay alone.
-    length : (K + 1,) metres along the route up to each node.
+    i, j : ndarray of int, (N, G)
+        Positions on the route; -1 for members that stay alone.
+    length : ndarray of float, (K + 1,)
+        Metres along the route up to each node.
+
+    Returns
+    -------
+    ndarray of float, (G,)
+        Metres, each counted once however many members drive it.
     """
     at = np.arange(len(length) - 1)
     company = ((at >= i[:, :, None]) & (at < j[:, :, None])).any(axis=0)

@@ -34,14 +34,33 @@ COVERED = (2.5, 97.5)
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """A number with its 95 % bootstrap interval over networks."""
+    """A number with its 95 % bootstrap interval over networks.
+
+    Attributes
+    ----------
+    value : float
+        Of the networks as drawn.
+    low, high : float
+        The interval's ends.
+    """
 
     value: float
     low: float
     high: float
 
     def covers(self, value: float) -> bool:
-        """Whether the interval contains a value."""
+        """Tell whether the interval contains a value.
+
+        Parameters
+        ----------
+        value : float
+            In the same unit.
+
+        Returns
+        -------
+        bool
+            Also at its ends.
+        """
         return self.low <= value <= self.high
 
 
@@ -50,8 +69,10 @@ class Measures:
 
     Parameters
     ----------
-    result : R runs, P points.
-    method, mixing : positions in the study's own lists.
+    result : StudyResult
+        R runs, P points.
+    method, mixing : int
+        Positions in the study's own lists.
     """
 
     def __init__(self, result: StudyResult, method: int, mixing: int) -> None:
@@ -89,12 +110,35 @@ class Measures:
         return Estimate(float(values[0]), float(low), float(high))
 
     def saving(self, total: Total) -> Floats:
-        """Return the share saved over each point: (1 + resamples, P)."""
+        """Return the share saved over each point.
+
+        Parameters
+        ----------
+        total : {"members", "system"}
+            Whose costs are summed.
+
+        Returns
+        -------
+        ndarray of float, (1 + resamples, P)
+            As drawn, then resampled.
+        """
         saved: Floats = 1 - self._joint_sums(total) / (self._weights @ self._alone[total])[:, None]
         return saved
 
     def saving_at(self, total: Total, tau: float, xi: float) -> Estimate:
         """Return the share saved at one of the study's points.
+
+        Parameters
+        ----------
+        total : {"members", "system"}
+            Whose costs are summed.
+        tau, xi : float
+            The point.
+
+        Returns
+        -------
+        Estimate
+            A share.
 
         Raises
         ------
@@ -107,32 +151,98 @@ class Measures:
         return self._estimate(self.saving(total)[:, at[0]])
 
     def mean_saving(self, total: Total) -> Estimate:
-        """Return the mean over the grid of the share saved."""
+        """Return the mean over the grid of the share saved.
+
+        Parameters
+        ----------
+        total : {"members", "system"}
+            Whose costs are summed.
+
+        Returns
+        -------
+        Estimate
+            A share.
+        """
         return self._estimate(self.saving(total)[:, self._grid].mean(axis=1))
 
     def involvement(self, name: Involvement) -> Floats:
-        """Return the share of members taking part at each point: (1 + resamples, P)."""
+        """Return the share of members taking part at each point.
+
+        Parameters
+        ----------
+        name : str
+            Of `INVOLVEMENTS`: who counts as taking part.
+
+        Returns
+        -------
+        ndarray of float, (1 + resamples, P)
+            As drawn, then resampled.
+        """
         part = self._weights @ self._taking_part[name]
         share: Floats = part / (self._weights @ self._count["members"])[:, None]
         return share
 
     def mean_involvement(self, name: Involvement) -> Estimate:
-        """Return the mean over the grid of the share of members taking part."""
+        """Return the mean over the grid of the share of members taking part.
+
+        Parameters
+        ----------
+        name : str
+            Of `INVOLVEMENTS`: who counts as taking part.
+
+        Returns
+        -------
+        Estimate
+            A share.
+        """
         return self._estimate(self.involvement(name)[:, self._grid].mean(axis=1))
 
     def cost_surfaces(self, total: Total = "system") -> tuple[Floats, Floats]:
-        """Return the mean cost of a vehicle alone and jointly [m] at each point: (P,) each."""
+        """Return the mean cost of a vehicle alone and jointly at each point.
+
+        Parameters
+        ----------
+        total : {"members", "system"}
+            Whose costs are summed.
+
+        Returns
+        -------
+        alone, joint : ndarray of float, (P,)
+            In metres; the first is the same everywhere.
+        """
         count = self._count[total].sum()
         joint = self._joint[total].sum(axis=0) / count
         return np.full_like(joint, self._alone[total].sum() / count), joint
 
     def cost_alone(self, total: Total = "system") -> Estimate:
-        """Return the mean cost of a vehicle alone [m]."""
+        """Return the mean cost of a vehicle alone.
+
+        Parameters
+        ----------
+        total : {"members", "system"}
+            Whose costs are summed.
+
+        Returns
+        -------
+        Estimate
+            In metres.
+        """
         count = self._weights @ self._count[total]
         return self._estimate((self._weights @ self._alone[total]) / count)
 
     def joint_range(self, total: Total = "system") -> tuple[Estimate, Estimate]:
-        """Return the least and the greatest mean joint cost over the grid [m]."""
+        """Return the least and the greatest mean joint cost over the grid.
+
+        Parameters
+        ----------
+        total : {"members", "system"}
+            Whose costs are summed.
+
+        Returns
+        -------
+        least, greatest : Estimate
+            In metres.
+        """
         count = (self._weights @ self._count[total])[:, None]
         surface = self._joint_sums(total)[:, self._grid] / count
         return self._estimate(surface.min(axis=1)), self._estimate(surface.max(axis=1))

@@ -30,16 +30,28 @@ class StudyResult:
 
     Attributes
     ----------
-    study, seed : what was run.
-    master : (R,) which vehicle.
-    optimum : (R, V) cost alone by Dijkstra [m].
-    solo_cost : (R, M, V) cost alone by each method [m].
-    joint_cost, platoon_m : (R, M, X, V, P) [m]; the master's with what it saves in company.
-    merge, separation : (R, M, X, V, P) nodes, -1 alone.
-    how : (R, M, X, V, P) bits of `one_run`: joined, drives alone before and after, and so on.
-    applicable : (R, M, V) whether the case could apply.
-    redraws : (R, 2) draws thrown away: not connected, and without destinations far enough.
-    overestimate : (R, V) the A* heuristic at the origin over the true remaining cost.
+    study : Study
+        What was run.
+    seed : int
+        Of all draws.
+    master : ndarray of int, (R,)
+        Which vehicle.
+    optimum : ndarray of float, (R, V)
+        Cost alone by Dijkstra [m].
+    solo_cost : ndarray of float, (R, M, V)
+        Cost alone by each method [m].
+    joint_cost, platoon_m : ndarray of float, (R, M, X, V, P)
+        Cost [m] and metres in company; the master's cost with what it saves there.
+    merge, separation : ndarray of int, (R, M, X, V, P)
+        Nodes, -1 alone.
+    how : ndarray of uint8, (R, M, X, V, P)
+        Bits of `one_run`: joined, drives alone before and after, and so on.
+    applicable : ndarray of bool, (R, M, V)
+        Whether the case could apply.
+    redraws : ndarray of int, (R, 2)
+        Draws thrown away: not connected, and without destinations far enough.
+    overestimate : ndarray of float, (R, V)
+        The A* heuristic at the origin over the true remaining cost.
     """
 
     study: Study
@@ -57,7 +69,13 @@ class StudyResult:
     overestimate: Floats
 
     def is_member(self) -> NDArray[np.bool_]:
-        """Mark the vehicles that are not the master of their run (R, V)."""
+        """Mark the vehicles that are not the master of their run.
+
+        Returns
+        -------
+        ndarray of bool, (R, V)
+            False for the master alone.
+        """
         vehicles = np.arange(self.optimum.shape[1])
         return np.asarray(vehicles != self.master[:, None])
 
@@ -73,11 +91,21 @@ def run_study(
 
     Parameters
     ----------
-    study : by default the paper's, `PAPER_STUDY`.
-    seed : of all draws; run k uses the k-th child of its `SeedSequence`.
-    executor : any `concurrent.futures.Executor`; by default runs follow each other here.
-    folder : where finished runs are kept and found again; by default nowhere.
-    progress : called with the number of runs just finished.
+    study : Study, optional
+        By default the paper's, `PAPER_STUDY`.
+    seed : int
+        Of all draws; run k uses the k-th child of its `SeedSequence`.
+    executor : concurrent.futures.Executor, optional
+        Any; by default runs follow each other here.
+    folder : path-like, optional
+        Where finished runs are kept and found again; by default nowhere.
+    progress : callable, optional
+        Called with the number of runs just finished.
+
+    Returns
+    -------
+    StudyResult
+        All runs, in order.
 
     Raises
     ------

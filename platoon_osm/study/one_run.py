@@ -43,9 +43,12 @@ class Solo:
 
     Attributes
     ----------
-    route : (K,) edges of the master's route.
-    entry, leave : (N, K + 1) costs alone of the N members to and from the route's nodes.
-    cost : (V,) costs alone of all vehicles.
+    route : ndarray of int, (K,)
+        Edges of the master's route.
+    entry, leave : ndarray of float, (N, K + 1)
+        Costs alone of the N members to and from the route's nodes.
+    cost : ndarray of float, (V,)
+        Costs alone of all vehicles.
     """
 
     route: Index
@@ -59,22 +62,38 @@ def run_once(study: Study, factors: Floats, seed: np.random.SeedSequence) -> Arr
 
     Parameters
     ----------
-    factors : (X, P) platoon cost of one metre, `study.platoon_factors()`.
+    study : Study
+        M methods, X mixings, P points.
+    factors : ndarray of float, (X, P)
+        Platoon cost of one metre, `study.platoon_factors()`.
+    seed : numpy.random.SeedSequence
+        Of this run.
 
     Returns
     -------
-    dict of arrays, M methods, X mixings, V vehicles, P points
-        master : () which vehicle; optimum : (V,) cost alone by Dijkstra; solo_cost : (M, V);
-        joint_cost, platoon_m : (M, X, V, P), the master's with what it saves in company;
-        merge, separation : (M, X, V, P) nodes, -1 alone; how : (M, X, V, P) bits;
-        applicable : (M, V) whether the case can apply; redraws : (2,) not connected, impossible;
-        overestimate : (V,) the A* heuristic at the origin over the true remaining cost.
+    dict of ndarray
+        V vehicles; see `StudyResult`, whose arrays these are without their first axis.
     """
     return plan_draw(study, factors, study.network.draw(np.random.default_rng(seed)))
 
 
 def plan_draw(study: Study, factors: Floats, draw: Draw) -> Arrays:
-    """Plan the vehicles of a draw; see `run_once`."""
+    """Plan the vehicles of a draw for every method, mixing and grid point.
+
+    Parameters
+    ----------
+    study : Study
+        M methods, X mixings, P points.
+    factors : ndarray of float, (X, P)
+        Platoon cost of one metre, `study.platoon_factors()`.
+    draw : Draw
+        A network with trips.
+
+    Returns
+    -------
+    dict of ndarray
+        As `run_once`.
+    """
     weight = draw.net.length_m * study.costs.solo_factor()
     engine = ReferenceEngine(draw.net, weight)
     forward = engine.distances(draw.origins)
@@ -109,7 +128,23 @@ def solo_searches(
 
     Parameters
     ----------
-    forward : (V, n) least costs from each origin.
+    study : Study
+        For its costs.
+    draw : Draw
+        A network of n nodes, with the trips of V vehicles.
+    engine : ReferenceEngine
+        Under the weight alone.
+    forward : ndarray of float, (V, n)
+        Least costs from each origin.
+    master : int
+        Which vehicle keeps its route.
+    method : {"dijkstra", "astar"}
+        How routes are found.
+
+    Returns
+    -------
+    Solo
+        The route and the costs.
     """
     net, origins, destinations = draw.net, draw.origins, draw.destinations
     others = np.delete(np.arange(len(origins)), master)

@@ -1,4 +1,4 @@
-"""report.html: figures, parameters and comparison in one file that asks for nothing."""
+"""The report of a study: figures, parameters and comparison in one file that asks for nothing."""
 
 from __future__ import annotations
 
@@ -42,10 +42,18 @@ def write_page(
 
     Parameters
     ----------
-    figures : SVG files and their captions, put into the page itself.
-    tables, paragraph : the comparison.
-    parameters : of the study, as JSON.
-    command : what to type to get the same.
+    path : Path
+        The file to write.
+    figures : sequence of (Path, str)
+        SVG files and their captions, put into the page itself.
+    tables : sequence of ShownTable
+        The comparison.
+    paragraph : str
+        What it comes to.
+    parameters : dict
+        Of the study, in plain JSON types.
+    command : str
+        What to type to get the same.
     """
     digest = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
     policy = f"default-src 'none'; img-src data:; style-src 'sha256-{digest}'"

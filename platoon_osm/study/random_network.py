@@ -35,12 +35,17 @@ class Draw:
 
     Attributes
     ----------
-    net : n nodes, m edges.
-    origins, destinations : (N,) nodes; vehicle 0 starts at the centre of the spawn circle.
-    access : (m,) bool, edges by which vehicles reach the network; no junction leads into them.
-    x_m, y_m : (n,) plane coordinates, for pictures.
-    unconnected, impossible : draws thrown away before this one, because the network fell apart,
-        or because some vehicle found no destination far enough.
+    net : RoadNetwork
+        n nodes, m edges.
+    origins, destinations : ndarray of int, (N,)
+        Nodes; vehicle 0 starts at the centre of the spawn circle.
+    access : ndarray of bool, (m,)
+        Edges by which vehicles reach the network; no junction leads into them.
+    x_m, y_m : ndarray of float, (n,)
+        Plane coordinates [m], for pictures.
+    unconnected, impossible : int
+        Draws thrown away before this one, because the network fell apart, or because some vehicle
+        found no destination far enough.
     """
 
     net: RoadNetwork
@@ -59,23 +64,36 @@ class RandomNetwork:
 
     Attributes
     ----------
-    width_m, height_m : area [X, Y] boundaries.
-    nodes : number of nodes, uniform in the area.
-    edges : number of edges left of the complete graph; two-way roads, unless `directed`.
-    dropout : edge dropout rate, [0, 1); each edge left is dropped with this probability.
-    spawn_diameter_m : diameter of the circle in which vehicles start, around a random node.
-    min_route_m : minimum route length of each vehicle.
-    vehicles : N_v, with the master.
-    pruning : "shortest" keeps the shortest edges of the complete graph, "random" any.
-    directed : one-way edges, of which `edges` are kept.
-    connected : "whole" draws again unless every node reaches every other; "part" puts vehicles
-        and destinations in the largest part that does.
-    spawning : "points" are uniform in the circle and reach the network by straight access edges;
-        "nodes" are the network's own within the circle.
-    access_nodes : k, the nearest nodes that a point's access edges lead to.
-    route_length : what `min_route_m` is compared with: "network", the shortest route, or
-        "straight", the straight line.
-    max_redraws : draws thrown away before giving up.
+    width_m, height_m : float
+        Area [X, Y] boundaries.
+    nodes : int
+        Number of nodes, uniform in the area.
+    edges : int
+        Number of edges left of the complete graph; two-way roads, unless `directed`.
+    dropout : float
+        Edge dropout rate, [0, 1); each edge left is dropped with this probability.
+    spawn_diameter_m : float
+        Diameter of the circle in which vehicles start, around a random node.
+    min_route_m : float
+        Minimum route length of each vehicle.
+    vehicles : int
+        N_v, with the master.
+    pruning : {"shortest", "random"}
+        Whether the shortest edges of the complete graph are kept, or any.
+    directed : bool
+        One-way edges, of which `edges` are kept.
+    connected : {"whole", "part"}
+        "whole" draws again unless every node reaches every other; "part" puts vehicles and
+        destinations in the largest part that does.
+    spawning : {"points", "nodes"}
+        "points" are uniform in the circle and reach the network by straight access edges; "nodes"
+        are the network's own within the circle.
+    access_nodes : int
+        k, the nearest nodes that a point's access edges lead to.
+    route_length : {"network", "straight"}
+        What `min_route_m` is compared with: the shortest route, or the straight line.
+    max_redraws : int
+        Draws thrown away before giving up.
     """
 
     width_m: float = 1e6
@@ -124,6 +142,16 @@ class RandomNetwork:
 
     def draw(self, rng: np.random.Generator) -> Draw:
         """Draw a network and its trips, again and again until both are possible.
+
+        Parameters
+        ----------
+        rng : numpy.random.Generator
+            Where chance comes from.
+
+        Returns
+        -------
+        Draw
+            The first possible one.
 
         Raises
         ------

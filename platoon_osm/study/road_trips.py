@@ -31,11 +31,15 @@ class Flows:
 
     Attributes
     ----------
-    origin, destination : (f,) nodes.
-    volume : (f,) trucks a year.
-    name : of the file they came from.
-    left_out : [trucks a year] between places of which one is not on the network, or both are at
-        one node of it.
+    origin, destination : ndarray of int, (f,)
+        Nodes.
+    volume : ndarray of float, (f,)
+        Trucks a year.
+    name : str
+        Of the file they came from.
+    left_out : float
+        Trucks a year between places of which one is not on the network, or both are at one node of
+        it.
     """
 
     origin: Index
@@ -51,12 +55,18 @@ class RoadTrips:
 
     Attributes
     ----------
-    net : the network; trips stay in its largest strongly connected part.
-    vehicles : with the one at the centre.
-    spawn_diameter_m : diameter of the circle in which vehicles start, around a random node.
-    min_route_m : minimum route length by road.
-    flows : if given, origins and destinations are drawn by volume; else uniformly.
-    max_redraws : draws thrown away before giving up.
+    net : RoadNetwork
+        Trips stay in its largest strongly connected part.
+    vehicles : int
+        With the one at the centre.
+    spawn_diameter_m : float
+        Diameter of the circle in which vehicles start, around a random node.
+    min_route_m : float
+        Minimum route length by road.
+    flows : Flows, optional
+        If given, origins and destinations are drawn by volume; else uniformly.
+    max_redraws : int
+        Draws thrown away before giving up.
     """
 
     net: RoadNetwork
@@ -77,7 +87,13 @@ class RoadTrips:
                 raise ScenarioError(f"{name} = {value!r} must be a number of metres, 0 or more")
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain JSON form, with the identity of the network in place of its arrays."""
+        """Return the plain JSON form, with the identity of the network in place of its arrays.
+
+        Returns
+        -------
+        dict
+            Text and numbers only.
+        """
         return {
             "kind": "road", "source": self.net.source.name, "identity": self.net.identity(),
             "attribution": self.net.source.attribution, "licence": self.net.source.licence,
@@ -90,6 +106,16 @@ class RoadTrips:
 
     def draw(self, rng: np.random.Generator) -> Draw:
         """Draw trips until each vehicle has a destination far enough.
+
+        Parameters
+        ----------
+        rng : numpy.random.Generator
+            Where chance comes from.
+
+        Returns
+        -------
+        Draw
+            The first possible one; no edge of it is an access edge.
 
         Raises
         ------
@@ -155,6 +181,18 @@ def read_flows(path: Path, net: RoadNetwork) -> Flows:
     `position_x`, `position_y`), as in the ETISplus sets; each goes to the nearest node of the
     network's largest connected part, if that is within `FARTHEST_PLACE_M`. Flows from and to other
     places are left out, and counted.
+
+    Parameters
+    ----------
+    path : Path
+        The CSV file of volumes.
+    net : RoadNetwork
+        On which the places are looked for.
+
+    Returns
+    -------
+    Flows
+        Those with both ends on the network.
 
     Raises
     ------

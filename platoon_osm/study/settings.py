@@ -32,14 +32,22 @@ class Study:
 
     Attributes
     ----------
-    network : where networks and trips come from.
-    runs : networks drawn.
-    case : "A", "B" or "C".
-    methods : "dijkstra" and "astar", on the same draws.
-    mixings : "printed" and "gain", readings of eq. 13.
-    tau, xi : the grid's axes, in [0, 1].
-    points : (tau, xi) looked at besides, such as the one the paper prints a number for.
-    costs : all other cost parameters; its own tau, xi and mixing are not used.
+    network : RandomNetwork or RoadTrips
+        Where networks and trips come from.
+    runs : int
+        Networks drawn.
+    case : {"A", "B", "C"}
+        Which case of the paper the members follow.
+    methods : tuple of {"dijkstra", "astar"}
+        Ways to search, on the same draws.
+    mixings : tuple of {"printed", "gain"}
+        Readings of eq. 13.
+    tau, xi : tuple of float
+        The grid's axes, in [0, 1].
+    points : tuple of (float, float)
+        (tau, xi) looked at besides, such as the one the paper prints a number for.
+    costs : PaperCosts
+        All other cost parameters; its own tau, xi and mixing are not used.
     """
 
     network: RandomNetwork | RoadTrips = field(default_factory=RandomNetwork)
@@ -85,12 +93,24 @@ class Study:
         return len(self.tau), len(self.xi)
 
     def grid_points(self) -> NDArray[np.float64]:
-        """Return (tau, xi) of all P points: the grid row by row, then the further points (P, 2)."""
+        """Return (tau, xi) of all points: the grid row by row, then the further points.
+
+        Returns
+        -------
+        ndarray of float, (P, 2)
+            A point a row.
+        """
         grid = [(tau, xi) for tau in self.tau for xi in self.xi]
         return np.array([*grid, *self.points], np.float64)
 
     def platoon_factors(self) -> NDArray[np.float64]:
-        """Return what one metre costs in a platoon, for each mixing and point (X, P)."""
+        """Return what one metre costs in a platoon, for each mixing and point.
+
+        Returns
+        -------
+        ndarray of float, (X, P)
+            In units of the cost alone of one metre of road, as `PaperCosts.platoon_factor`.
+        """
         return np.array([
             [
                 replace(self.costs, tau=float(tau), xi=float(xi), mixing=mixing).platoon_factor()
@@ -100,7 +120,13 @@ class Study:
         ])  # fmt: skip
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain JSON form; enough to repeat the study, with its seed."""
+        """Return the plain JSON form; enough to repeat the study, with its seed.
+
+        Returns
+        -------
+        dict
+            Text, numbers, lists and dicts only.
+        """
         net = self.network
         shown = net.to_dict() if isinstance(net, RoadTrips) else {"kind": "random", **asdict(net)}
         costs = {k: v for k, v in asdict(self.costs).items() if k not in ("tau", "xi", "mixing")}
@@ -111,7 +137,18 @@ class Study:
         }  # fmt: skip
 
     def key(self, seed: int) -> str:
-        """Return a hash of all that a run's answer depends on; how many runs is not part of it."""
+        """Return a hash of all that a run's answer depends on; how many runs is not part of it.
+
+        Parameters
+        ----------
+        seed : int
+            Of all draws.
+
+        Returns
+        -------
+        str
+            Twenty hexadecimal digits.
+        """
         told = {**self.to_dict(), "seed": seed, "version": __version__}
         del told["runs"]
         return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:20]

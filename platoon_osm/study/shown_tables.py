@@ -22,7 +22,17 @@ NAMED = {"members": "members", "system": "with master"}
 
 @dataclass(frozen=True, slots=True)
 class ShownTable:
-    """A caption, a header, and rows of text."""
+    """A caption, a header, and rows of text.
+
+    Attributes
+    ----------
+    caption : str
+        What is in it.
+    header : tuple of str
+        Names of the columns.
+    rows : tuple of tuple of str
+        As many texts each as there are columns.
+    """
 
     caption: str
     header: tuple[str, ...]
@@ -30,7 +40,20 @@ class ShownTable:
 
 
 def shown_tables(results: Sequence[StudyResult], rows: Sequence[Row]) -> list[ShownTable]:
-    """Return every printed number beside ours, one reading a line."""
+    """Return every printed number beside ours, one reading a line.
+
+    Parameters
+    ----------
+    results : sequence of StudyResult
+        One for each placing of the vehicles.
+    rows : sequence of Row
+        Of `compare`.
+
+    Returns
+    -------
+    list of ShownTable
+        In the order in which they are shown.
+    """
     at = {(r.number, r.network, r.mixing, r.counted, r.method): r.ours for r in rows}
     readings = list(dict.fromkeys((r.network, r.mixing) for r in rows))
     methods = list(dict.fromkeys(r.method for r in rows))
@@ -135,7 +158,22 @@ def _shown(ours: Estimate) -> str:
 
 
 def markdown(tables: Sequence[ShownTable], paragraph: str, how: str) -> str:
-    """Return the tables and the paragraph as Markdown."""
+    """Return the tables and the paragraph as Markdown.
+
+    Parameters
+    ----------
+    tables : sequence of ShownTable
+        Of `shown_tables`.
+    paragraph : str
+        What they come to.
+    how : str
+        How they were made, for the first line.
+
+    Returns
+    -------
+    str
+        Without a line break at its end.
+    """
     lines = [how, ""]
     for table in tables:
         lines += [table.caption, ""]

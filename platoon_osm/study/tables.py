@@ -24,7 +24,17 @@ __all__ = [
 
 
 def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    """Write a table; numbers to nine digits, so that the same numbers are the same bytes."""
+    """Write a table; numbers to nine digits, so that the same numbers are the same bytes.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write.
+    header : sequence of str
+        Names of the columns.
+    rows : iterable of sequence
+        As many values each as there are columns.
+    """
     with whole_file(path) as draft, draft.open("w", encoding="utf-8", newline="") as handle:
         writer = csv.writer(handle, lineterminator="\n")
         writer.writerow(header)
@@ -33,7 +43,15 @@ def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[object]
 
 
 def write_comparison(path: Path, rows: Sequence[Row]) -> None:
-    """Write the comparison, one printed number under one reading a line."""
+    """Write the comparison, one printed number under one reading a line.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write.
+    rows : sequence of Row
+        Of `compare`.
+    """
     header = [
         "number", "paper", "unit", "network", "mixing", "counted", "method", "ours", "low_95",
         "high_95", "agrees",
@@ -50,7 +68,15 @@ def write_comparison(path: Path, rows: Sequence[Row]) -> None:
 
 
 def write_costs(path: Path, results: Sequence[StudyResult]) -> None:
-    """Write the two cost surfaces over tau and xi, for every reading and method."""
+    """Write the two cost surfaces over tau and xi, for every reading and method.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write.
+    results : sequence of StudyResult
+        One for each placing of the vehicles.
+    """
     header = [
         "network", "method", "mixing", "total", "tau_percent", "xi_percent", "alone_km", "joint_km",
         "saving_percent",
@@ -75,7 +101,17 @@ def write_costs(path: Path, results: Sequence[StudyResult]) -> None:
 
 
 def write_involvement(path: Path, results: Sequence[StudyResult], method: str) -> None:
-    """Write the share of members taking part over tau and xi, for every reading."""
+    """Write the share of members taking part over tau and xi, for every reading.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write.
+    results : sequence of StudyResult
+        One for each placing of the vehicles.
+    method : {"dijkstra", "astar"}
+        One that all of them ran.
+    """
     header = ["network", "mixing", "counted", "tau_percent", "xi_percent", "involved_percent"]
 
     def rows() -> Iterable[Sequence[object]]:
@@ -97,7 +133,15 @@ def write_involvement(path: Path, results: Sequence[StudyResult], method: str) -
 
 
 def write_network(path: Path, examples: Sequence[tuple[str, Example]]) -> None:
-    """Write the lines and points of the network figure."""
+    """Write the lines and points of the network figure.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write.
+    examples : sequence of (str, Example)
+        A title and a run for each panel.
+    """
     header = ["panel", "item", "vehicle", "from_x_km", "from_y_km", "to_x_km", "to_y_km"]
 
     def rows() -> Iterable[Sequence[object]]:
@@ -128,7 +172,15 @@ def _ends(draw: Draw, edge: int) -> tuple[float, ...]:
 
 
 def write_parquet(path: Path, results: Sequence[StudyResult]) -> None:
-    """Write one row for each reading, run, method, mixing, point and vehicle."""
+    """Write one row for each reading, run, method, mixing, point and vehicle.
+
+    Parameters
+    ----------
+    path : Path
+        The file to write.
+    results : sequence of StudyResult
+        One for each placing of the vehicles.
+    """
     import pyarrow
     from pyarrow import parquet
 
