@@ -7,6 +7,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 ROUNDS ?= 10
 STAMP := $(VENV)/.installed
+# Folders whose docstrings are in numpydoc's form.
+DOCUMENTED := platoon_osm/*.py platoon_osm/cli platoon_osm/study
 DEV_STAMP := $(VENV)/.installed-dev
 
 .PHONY: demo test lint bench soak screenshots lock clean
@@ -20,6 +22,7 @@ test: $(DEV_STAMP) lint
 lint: $(DEV_STAMP)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/python -m numpydoc lint $$(find $(DOCUMENTED) -name '*.py')
 	$(BIN)/mypy
 	$(BIN)/djlint --quiet --lint platoon_osm/report/assets
 	$(BIN)/oxlint --deny-warnings platoon_osm/report/assets
