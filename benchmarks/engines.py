@@ -30,7 +30,7 @@ from benchmarks.road_like import road_like, shuffled
 from benchmarks.sections import ROOT, write_section
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.search import engine as engines
-from platoon_osm.search.dijkstra import ReferenceEngine
+from platoon_osm.search.dijkstra import ReferenceEngine, lightest_edges
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
 from platoon_osm.search.hierarchy.preparing.storage import topology_of
 from platoon_osm.search.hierarchy.preparing.symbolic import build_topology
@@ -106,7 +106,7 @@ def same(a: Any, b: Any) -> None:
 def search_tasks(case: Case, report: Report, rounds: int, scipy: str = "scipy") -> None:
     net, weight, source = case.net, case.weight, int(case.origins[0])
     slow, fast = ReferenceEngine(net, weight), HierarchyEngine(net, weight)
-    lightest = slow._edge
+    lightest = lightest_edges(net, weight)
     alternatives: dict[str, Callable[[], Any]] = {
         "ours": lambda: fast.distances(source),
         "with customization": lambda: HierarchyEngine(net, weight).distances(source),

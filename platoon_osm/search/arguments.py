@@ -14,7 +14,7 @@ from ..network.road_network import RoadNetwork
 __all__ = [
     "checked_along", "checked_edges", "checked_labels", "checked_network", "checked_node",
     "checked_nodes", "checked_pairs", "checked_positions", "checked_two", "checked_weight",
-    "no_route",
+    "described", "no_route",
 ]  # fmt: skip
 
 Floats = NDArray[np.float64]
@@ -64,7 +64,7 @@ def checked_network(net: Any) -> RoadNetwork:
     """
     if not isinstance(net, RoadNetwork):
         raise SearchError(
-            f"net is {_called(net)}, not a RoadNetwork; give the network first, then the weight"
+            f"net is {described(net)}, not a RoadNetwork; give the network first, then the weight"
         )
     return net
 
@@ -269,7 +269,7 @@ def checked_positions(
         return None
     if not isinstance(positions, Sequence) or len(positions) != 2:
         raise SearchError(
-            f"{called}: {_called(positions)}; give where each member's begin, and all"
+            f"{called}: {described(positions)}; give where each member's begin, and all"
         )
     first, at = (_whole(called, part).astype(np.int64) for part in positions)
     fits = len(first) == members + 1 and first[0] == 0 and first[-1] == len(at)
@@ -333,14 +333,14 @@ def checked_two(net: RoadNetwork, costs: Any, called: str) -> list[Floats]:
         Not two, or arrays that do not fit the network.
     """
     if not isinstance(costs, list | tuple | np.ndarray) or len(costs) != 2:
-        raise SearchError(f"{called} is {_called(costs)}; give two arrays, one of each vehicle")
+        raise SearchError(f"{called} is {described(costs)}; give two arrays, one of each vehicle")
     return [checked_labels(net, part, called) for part in costs]
 
 
 def _numbers(called: str, given: Any, count: int, of: str, has: str) -> Floats:
     values = _array(called, given)
     if values.dtype.kind not in "iuf" and values.size:
-        raise SearchError(f"{called} {has} no numbers but {_called(values)}; give costs")
+        raise SearchError(f"{called} {has} no numbers but {described(values)}; give costs")
     if values.shape != (count,):
         raise SearchError(f"{called} {has} shape {values.shape}; {of.format(count)}")
     return values.astype(np.float64, copy=False)
@@ -350,7 +350,7 @@ def _whole(called: str, given: Any) -> NDArray[Any]:
     values = np.atleast_1d(_array(called, given))
     if values.dtype.kind not in "iu" and values.size:
         raise SearchError(
-            f"{called}: {_called(given)} where whole numbers are needed; give positions"
+            f"{called}: {described(given)} where whole numbers are needed; give positions"
         )
     if values.ndim != 1:
         raise SearchError(f"{called} have shape {values.shape}; give them in one row")
@@ -361,11 +361,22 @@ def _array(called: str, given: Any) -> NDArray[Any]:
     try:
         return np.asarray(given)
     except (TypeError, ValueError) as error:
-        raise SearchError(f"{called}: {_called(given)} is no array; give one row") from error
+        raise SearchError(f"{called}: {described(given)} is no array; give one row") from error
 
 
-def _called(thing: Any) -> str:
-    """Return in a few words what something is."""
+def described(thing: Any) -> str:
+    """Return in a few words what something is.
+
+    Parameters
+    ----------
+    thing : object
+        What was given.
+
+    Returns
+    -------
+    str
+        One line, for an error.
+    """
     if isinstance(thing, np.ndarray):
         kinds = {"b": "true and false", "U": "text", "S": "text", "O": "objects", "c": "complex"}
         return f"an array of {kinds.get(thing.dtype.kind, str(thing.dtype))}"

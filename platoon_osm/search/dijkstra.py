@@ -23,11 +23,36 @@ from .arguments import (
 from .joining import Found, Positions, best_pairs, entry_exit_costs, only_at
 from .least_paths import LeastCosts
 
-__all__ = ["ReferenceEngine", "Tree", "astar"]
+__all__ = ["ReferenceEngine", "Tree", "astar", "lightest_edges"]
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
 Tree = LeastCosts
+
+
+def lightest_edges(net: RoadNetwork, weight: Floats) -> Edges:
+    """Return of each bundle of parallel edges the lightest, by tail and head; none that is closed.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network searched.
+    weight : ndarray of float, (m,)
+        Cost of each edge, 0 or more; inf where closed.
+
+    Returns
+    -------
+    ndarray of int, (k,)
+        Edge ids; of equally light ones the smallest.
+    """
+    open_edges = np.flatnonzero(np.isfinite(weight))
+    key = net.tail[open_edges].astype(np.int64) * net.n + net.head[open_edges]
+    order = np.lexsort((weight[open_edges], key))
+    key = key[order]
+    first = np.ones(len(key), bool)
+    first[1:] = key[1:] != key[:-1]
+    found: Edges = open_edges[order][first]
+    return found
 
 
 class ReferenceEngine:
@@ -65,13 +90,7 @@ class ReferenceEngine:
         # A copy, for paths are chosen under the weight that the costs were found with.
         values = checked_weight(net, weight).copy()
         self.weight = values
-        open_edges = np.flatnonzero(np.isfinite(values))
-        key = net.tail[open_edges].astype(np.int64) * net.n + net.head[open_edges]
-        order = np.lexsort((values[open_edges], key))
-        key = key[order]
-        lightest = np.ones(len(key), bool)
-        lightest[1:] = key[1:] != key[:-1]
-        edge = open_edges[order][lightest]
+        edge = lightest_edges(net, values)
         shape = (net.n, net.n)
         tails, heads = net.tail[edge], net.head[edge]
         first = np.zeros(net.n + 1, np.int32)

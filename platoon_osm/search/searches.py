@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import SearchError
 from ..network.road_network import RoadNetwork
-from .arguments import checked_network, checked_weight
+from .arguments import checked_network, checked_weight, described
 from .dijkstra import ReferenceEngine
 from .price import faster
 from .protocol import Engine, EngineName
@@ -66,10 +66,10 @@ class Searches:
         """
         if not isinstance(engine, str) or engine not in ("auto", "reference", "hierarchy"):
             raise SearchError(
-                f'engine {engine!r} is unknown; use "auto", "reference" or "hierarchy"'
+                f'engine {described(engine)} is unknown; use "auto", "reference" or "hierarchy"'
             )
         if not _counts(expected):
-            raise SearchError(f"expected is {expected!r}; give how many searches will be asked for")
+            raise SearchError(f"expected is {described(expected)}; give the number of searches")
         values = checked_weight(self.net, weight)
         if self._arrays[0] is not self.net.tail or self._arrays[1] is not self.net.head:
             self.forget()

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .arguments import checked_node, checked_nodes
+from ..errors import SearchError
+from .arguments import checked_node, checked_nodes, described
 from .protocol import Engine, LeastCosts
 
 __all__ = ["KEPT_BYTES", "Trees"]
@@ -32,9 +33,18 @@ class Trees:
         The same.
     searches : int
         Single-source searches run so far.
+
+    Raises
+    ------
+    SearchError
+        If it is no engine.
     """
 
     def __init__(self, engine: Engine) -> None:
+        if not hasattr(engine, "trees") or not hasattr(engine, "net"):
+            raise SearchError(
+                f"engine is {described(engine)}; give one, as from Searches(net).under(weight)"
+            )
         self.engine = engine
         self.searches = 0
         self._known: dict[tuple[int, bool], LeastCosts] = {}

@@ -19,6 +19,7 @@ from ..arguments import (
     checked_positions,
     checked_two,
     checked_weight,
+    described,
 )  # fmt: skip
 from ..joining import Found, Positions
 from ..least_paths import LeastCosts
@@ -78,8 +79,8 @@ class HierarchyEngine:
         padded[:-1] = checked_weight(net, weight)
         padded[-1] = np.inf
         self.weight: Floats = padded[:-1]
-        if threads is not None and (not isinstance(threads, int) or threads < 1):
-            raise SearchError(f"threads is {threads!r}; give 1 or more, or None for all cores")
+        if threads is not None and not (isinstance(threads, int) and threads >= 1):
+            raise SearchError(f"threads is {described(threads)}; give 1 or more, or None for all")
         self.threads = cores() if threads is None else threads
         self.metric: Metric = customize(topology_of(net, self.threads), padded, self.threads)
 
