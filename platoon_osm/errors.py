@@ -4,6 +4,10 @@
 class PlatoonError(Exception):
     """Anything this package refuses to do, said in one line for the person who asked."""
 
+    def __str__(self) -> str:
+        # Names of files and places come from outside and may hold anything.
+        return " ".join(super().__str__().splitlines())
+
 
 class MapDataError(PlatoonError):
     """A map file, cache or saved network cannot be read or holds no usable road."""

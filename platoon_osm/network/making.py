@@ -14,7 +14,7 @@ from .columns import COLUMNS, Column, columns_per
 from .shapes import ragged_order, shape_lengths_m
 from .texts import TextTable, encode_texts
 
-__all__ = ["checked_edges", "made_columns"]
+__all__ = ["checked_edges", "in_its_type", "made_columns"]
 
 Columns = dict[str, NDArray[Any]]
 
@@ -48,7 +48,7 @@ def made_columns(given: Mapping[str, Any], texts: TextTable | None) -> tuple[Col
     for name in ("tail", "head", "lon", "lat"):
         if given.get(name) is None:
             raise NetworkError(f"network: {name} is missing; give one for each {_owner(name)}")
-    n, m = (_size(name, given[name]) for name in ("lon", "tail"))
+    n, _, m, _ = (_size(name, given[name]) for name in ("lon", "lat", "tail", "head"))
     sizes = {"node": n, "edge": m, "offset": m + 1}
     columns: Columns = {}
     own = columns_per("node", "edge")
@@ -66,7 +66,8 @@ def made_columns(given: Mapping[str, Any], texts: TextTable | None) -> tuple[Col
     _check_ends(tail, head, n)
     first, lon, lat = _shapes(given, columns, n, m)
     if "length_m" not in columns:
-        columns["length_m"] = shape_lengths_m(first, lon, lat)
+        with np.errstate(invalid="ignore"):  # points off the globe are refused later, by name
+            columns["length_m"] = shape_lengths_m(first, lon, lat)
     if "node_id" not in columns:
         columns["node_id"] = np.arange(n, dtype=np.int64)
     order = np.argsort(tail, kind="stable")
@@ -177,12 +178,30 @@ def _texts(column: Column, value: Any, n: int, m: int, size: int) -> NDArray[Any
 
 def _values(column: Column, value: Any, n: int, m: int, size: int) -> NDArray[Any]:
     """Return a column in its type; a value that would change on the way is refused."""
-    array = _array(column.name, value)
-    return _fitted(column, _cast(column, array), n, m, size)
+    return _fitted(column, in_its_type(column, value), n, m, size)
 
 
-def _cast(column: Column, array: NDArray[Any]) -> NDArray[Any]:
-    dtype = np.dtype(column.dtype)
+def in_its_type(column: Column, value: Any) -> NDArray[Any]:
+    """Return values in the type of their column.
+
+    Parameters
+    ----------
+    column : Column
+        What they are.
+    value : array_like
+        Of any type; a value that would change on the way is refused.
+
+    Returns
+    -------
+    ndarray
+        The same array where it has the type.
+
+    Raises
+    ------
+    NetworkError
+        With the value that does not fit, and what would.
+    """
+    array, dtype = _array(column.name, value), np.dtype(column.dtype)
     if array.dtype == dtype:
         return array
     wrong: Any = array if array.ndim == 0 else array[:3]
@@ -233,9 +252,7 @@ def _shapes(
         )
     by_name = {column.name: column for column in columns_per("offset", "shape point")}
     first = _values(by_name["shape_first"], given["shape_first"], n, m, m + 1)
-    lon, lat = (
-        _cast(by_name[name], _array(name, given[name])) for name in ("shape_lon", "shape_lat")
-    )
+    lon, lat = (in_its_type(by_name[name], given[name]) for name in ("shape_lon", "shape_lat"))
     if lon.shape != (first[-1],) or lat.shape != (first[-1],) or first[0] != 0:
         raise NetworkError(
             f"network: shapes have {lon.size} lon and {lat.size} lat for points "

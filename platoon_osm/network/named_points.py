@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..errors import NetworkError
 from .columns import POINT_KINDS, columns_per
 from .geodesy import distance_m
+from .making import in_its_type
 
 __all__ = ["NamedPoints"]
 
@@ -42,12 +43,7 @@ class NamedPoints:
     def __post_init__(self) -> None:
         for column in columns_per("named point"):
             name = column.name.removeprefix(PREFIX)
-            try:
-                values = np.asarray(getattr(self, name), column.dtype)
-            except (TypeError, ValueError, OverflowError) as error:
-                raise NetworkError(
-                    f"network: {column.name} cannot be {np.dtype(column.dtype)}; give a flat list"
-                ) from error
+            values = in_its_type(column, getattr(self, name))
             if values.shape != np.shape(self.lon) or values.ndim != 1:
                 raise NetworkError(
                     f"network: {column.name} has shape {values.shape}, points.lon "

@@ -18,14 +18,16 @@ is a ramp only a complete extract can tell, so every connector is marked `inferr
 from __future__ import annotations
 
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...errors import NetworkError
 from ..columns import lengthened
 from ..geodesy import bearing_deg, distance_m, metres_per_degree
-from ..road_network import ROAD_CLASSES, RoadNetwork
+from ..road_network import ROAD_CLASSES, RoadNetwork, checked_network
 from .split import split_edges
 
 __all__ = ["infer_links"]
@@ -78,9 +80,26 @@ def infer_links(net: RoadNetwork, reach_m: float = 200.0) -> RoadNetwork:
 
     Parameters
     ----------
-    reach_m : how far from the end of a carriageway another may pass to be its continuation.
+    net : RoadNetwork
+        An extract that lacks its ramps.
+    reach_m : float
+        How far from the end of a carriageway another may pass to be its continuation [m].
+
+    Returns
+    -------
+    RoadNetwork
+        With more edges, and nodes where connectors begin or end.
+
+    Raises
+    ------
+    NetworkError
+        `reach_m` is no distance.
     """
-    segments = _segments(net)
+    proper = isinstance(reach_m, Real) and not isinstance(reach_m, bool) and 0 <= reach_m < 1e5
+    if not proper:
+        shown = " ".join(repr(reach_m).split())[:80]
+        raise NetworkError(f"network: reach_m {shown}: give metres, from 0 to 100,000")
+    segments = _segments(checked_network(net))
     crossing = _crossings(net, segments)
     passing = _passes(net, segments, reach_m)
     ends = _ends(net, segments, reach_m)

@@ -5,12 +5,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..columns import columns_per
-from ..road_network import RoadNetwork
+from ...errors import NetworkError
+from ..columns import Column, columns_per
+from ..making import in_its_type
+from ..road_network import RoadNetwork, checked_network
 from ..shapes import ragged_order
 from .chains import Chains, contract_chains
 
 __all__ = ["merge_chains"]
+
+KEEP = Column("keep", "node", "b1")
 
 WORKED_OUT = frozenset({"tail", "head", "length_m", "speed_mps"})
 """Columns of a chain that are no choice among those of its parts."""
@@ -25,10 +29,30 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
 
     Parameters
     ----------
-    keep : (n,) nodes that must stay, such as named junctions.
+    net : RoadNetwork
+        The network as the map draws it.
+    keep : array_like of bool, (n,), optional
+        Nodes that must stay, such as named junctions.
+
+    Returns
+    -------
+    RoadNetwork
+        With fewer nodes and longer edges.
+
+    Raises
+    ------
+    NetworkError
+        `keep` does not mark nodes.
     """
-    tail, head = net.tail.astype(np.int64), net.head.astype(np.int64)
-    stay = _where_values_change(net) if keep is None else keep | _where_values_change(net)
+    tail, head = checked_network(net).tail.astype(np.int64), net.head.astype(np.int64)
+    stay = _where_values_change(net)
+    if keep is not None:
+        marked = in_its_type(KEEP, keep)
+        if marked.shape != (net.n,):
+            raise NetworkError(
+                f"network: keep has shape {marked.shape}; give one for each of {net.n} nodes"
+            )
+        stay |= marked
     chains = contract_chains(tail, head, net.n, stay)
     count = len(chains.first) - 1
     starts, ends = chains.first[:-1], chains.first[1:] - 1

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..columns import lengthened
+from ...errors import NetworkError
+from ..columns import Column, lengthened
 from ..geodesy import distance_m
-from ..road_network import RoadNetwork
+from ..making import checked_edges, in_its_type
+from ..road_network import RoadNetwork, checked_network
 from ..shapes import ragged_order
 
 __all__ = ["SPLIT_NODE_IDS", "split_edges"]
@@ -16,6 +18,7 @@ SPLIT_NODE_IDS = -1_000_000_000
 """Ids of nodes made here count down from this number; OpenStreetMap's own are positive."""
 
 AT_AN_END_M = 1.0
+ALONG = Column("along_m", "edge", "f8", "m")
 
 
 def split_edges(
@@ -25,17 +28,33 @@ def split_edges(
 
     Parameters
     ----------
-    edges : (c,) edge ids, in any order, repeats allowed.
-    along_m : (c,) distance of each cut from the edge's tail, along its shape.
+    net : RoadNetwork
+        The network to cut.
+    edges : array_like of int, (c,)
+        Edge ids, in any order, repeats allowed.
+    along_m : array_like of float, (c,)
+        Distance of each cut from the edge's tail, along its shape [m].
 
     Returns
     -------
-    network : with new nodes and the pieces in place of the cut edges.
-    nodes : (c,) the node at each cut; an end of the edge if the cut is within a metre of it or
-        of another cut.
+    network : RoadNetwork
+        With new nodes and the pieces in place of the cut edges.
+    nodes : ndarray of int64, (c,)
+        The node at each cut; an end of the edge if the cut is within a metre of it or of another
+        cut.
+
+    Raises
+    ------
+    NetworkError
+        Edges or distances that are none.
     """
-    where = np.asarray(edges, np.int64)
-    along = np.asarray(along_m, np.float64)
+    where = checked_edges(edges, checked_network(net).m)
+    along = in_its_type(ALONG, along_m)
+    if along.shape != where.shape or not np.isfinite(along).all():
+        raise NetworkError(
+            f"network: along_m has shape {along.shape} for {len(where)} edges; give a finite "
+            "distance [m] for each"
+        )
     order = np.lexsort((along, where))
     node_of_cut = np.empty(len(where), np.int64)
     lon, lat = list(net.lon), list(net.lat)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...errors import NetworkError
 from ...network.columns import Column, columns_per
 from ...network.load_report import LoadReport, Source
-from ...network.road_network import RoadNetwork
+from ...network.road_network import RoadNetwork, checked_network
 from .geodataframes import ENDS, LABELS, edge_lines
 from .graph_arrays import Attributes, EdgeRow, check_degrees, graph_arrays
 from .graph_values import flag, joined, number, parts, whole_number
@@ -47,6 +47,7 @@ def to_networkx(net: RoadNetwork) -> networkx.MultiDiGraph[int]:
     """
     import networkx
 
+    checked_network(net)
     graph: networkx.MultiDiGraph[int] = networkx.MultiDiGraph(
         crs="epsg:4326", source=net.source.to_dict()
     )

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...network.columns import Column, columns_per
-from ...network.road_network import RoadNetwork
+from ...network.road_network import RoadNetwork, checked_network
 
 if TYPE_CHECKING:
     import geopandas
@@ -43,7 +43,7 @@ def to_geodataframes(
     import geopandas
     import shapely
 
-    texts = list(net.texts)
+    texts = list(checked_network(net).texts)
     nodes = geopandas.GeoDataFrame(
         {
             LABELS.get(column.name, column.name): _table_values(net, column, texts)
