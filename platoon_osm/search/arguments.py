@@ -310,7 +310,7 @@ def checked_pairs(net: RoadNetwork, origins: ArrayLike, destinations: ArrayLike)
     return [start, end]
 
 
-def checked_two(net: RoadNetwork, costs: Any, called: str) -> list[Floats]:
+def checked_two(net: RoadNetwork, costs: Any, called: str, values: bool = True) -> list[Floats]:
     """Return the costs of two vehicles.
 
     Parameters
@@ -321,6 +321,8 @@ def checked_two(net: RoadNetwork, costs: Any, called: str) -> list[Floats]:
         Costs at every node, of either vehicle.
     called : str
         What an error calls them.
+    values : bool
+        Whether to look at every cost; else at shapes only.
 
     Returns
     -------
@@ -334,7 +336,9 @@ def checked_two(net: RoadNetwork, costs: Any, called: str) -> list[Floats]:
     """
     if not isinstance(costs, list | tuple | np.ndarray) or len(costs) != 2:
         raise SearchError(f"{called} is {described(costs)}; give two arrays, one of each vehicle")
-    return [checked_labels(net, part, called) for part in costs]
+    if values:
+        return [checked_labels(net, part, called) for part in costs]
+    return [_numbers(called, part, net.n, "the network has {} nodes", "has") for part in costs]
 
 
 def _numbers(called: str, given: Any, count: int, of: str, has: str) -> Floats:

@@ -33,7 +33,15 @@ def only_at(costs: Floats, positions: Positions | None) -> Floats:
 
     Parameters
     ----------
-    positions : first (N + 1,) and positions on the route; None allows all.
+    costs : ndarray of float, (N, K + 1)
+        Of each member at each position.
+    positions : tuple of ndarray of int or None
+        First (N + 1,) and positions on the route; None allows all.
+
+    Returns
+    -------
+    ndarray of float, (N, K + 1)
+        Costs.
     """
     if positions is None:
         return costs
@@ -50,6 +58,26 @@ def entry_exit_costs(
     """Return D(o, r_i) (N, K + 1), D(r_j, g) (N, K + 1) and D(o, g) (N,).
 
     Searches from members or from the route's nodes, whichever are fewer.
+
+    Parameters
+    ----------
+    engine : Engine
+        Whatever gives costs from nodes to all, and from all to nodes.
+    nodes : ndarray of int, (K + 1,)
+        Nodes of the route.
+    origins : ndarray of int, (N,)
+        Nodes where members start.
+    destinations : ndarray of int, (N,)
+        Nodes where they go.
+
+    Returns
+    -------
+    entry : ndarray of float, (N, K + 1)
+        Costs alone to each route node.
+    leave : ndarray of float, (N, K + 1)
+        Costs alone from each route node.
+    solo : ndarray of float, (N,)
+        Costs alone all the way.
     """
     few_members = len(np.unique(origins)) <= len(nodes)
     if few_members:
@@ -84,14 +112,25 @@ def best_pairs(
 
     Parameters
     ----------
-    entry, leave : (N, K + 1) costs alone to each route node, and from each to the destination.
-    platoon, length : (K + 1,) platoon weight and metres along the route up to each node.
-    solo : (N,) cost alone.
+    entry : ndarray of float, (N, K + 1)
+        Costs alone to each route node.
+    leave : ndarray of float, (N, K + 1)
+        Costs alone from each route node to the destination.
+    platoon : ndarray of float, (K + 1,)
+        Platoon weight along the route up to each node.
+    length : ndarray of float, (K + 1,)
+        Metres along the route up to each node.
+    solo : ndarray of float, (N,)
+        Cost alone.
 
     Returns
     -------
-    i, j : (N,) -1 where staying alone is cheaper.
-    cost : (N,)
+    i : ndarray of int, (N,)
+        Positions where they join; -1 where staying alone is cheaper.
+    j : ndarray of int, (N,)
+        Positions where they leave; -1 likewise.
+    cost : ndarray of float, (N,)
+        What each pays.
     """
     lead = np.minimum.accumulate(entry - platoon, axis=1)
     # Strictly i < j: with costs that are not least costs, as A*'s are not, a detour over one node

@@ -40,7 +40,12 @@ class Metric:
 
     Attributes
     ----------
-    up, down : (a,) cost of each arc from its lower to its upper end, and back.
+    topology : Topology
+        Order, arcs and triangles.
+    up : ndarray of float, (a,)
+        Cost of each arc from its lower to its upper end.
+    down : ndarray of float, (a,)
+        Cost of each arc back.
     """
 
     topology: Topology
@@ -48,7 +53,20 @@ class Metric:
     down: Floats
 
     def towards(self, forward: bool) -> tuple[Floats, Floats]:
-        """Return the costs a search climbs by and those its sweep descends by."""
+        """Return the costs a search climbs by and those its sweep descends by.
+
+        Parameters
+        ----------
+        forward : bool
+            Whether the search starts at its node; else it ends there.
+
+        Returns
+        -------
+        climb : ndarray of float, (a,)
+            Costs of arcs upward.
+        descend : ndarray of float, (a,)
+            Costs of arcs downward.
+        """
         return (self.up, self.down) if forward else (self.down, self.up)
 
 
@@ -57,10 +75,19 @@ def customize(topology: Topology, weight: Floats, threads: int = 1) -> Metric:
 
     Parameters
     ----------
-    weight : (m + 1,) cost of each edge, 0 or more; inf where closed. The last is inf, for arcs
-        that no edge goes along.
-    threads : with more than one, subtrees are worked on side by side. Sums are formed alike and
-        a minimum does not depend on its order, so the result is the same to the last bit.
+    topology : Topology
+        Order, arcs and triangles.
+    weight : ndarray of float, (m + 1,)
+        Cost of each edge, 0 or more; inf where closed. The last is inf, for arcs that no edge goes
+        along.
+    threads : int
+        With more than one, subtrees are worked on side by side. Sums are formed alike and a
+        minimum does not depend on its order, so the result is the same to the last bit.
+
+    Returns
+    -------
+    Metric
+        Costs of all arcs.
     """
     t = topology
     arcs = len(t.head)

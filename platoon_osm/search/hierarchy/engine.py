@@ -252,8 +252,8 @@ class HierarchyEngine:
             Costs of both; a path is what they drive together.
         """
         weight = checked_weight(self.net, pair, "pair")
-        start = checked_two(self.net, there, "there")
-        rest = checked_two(self.net, onward, "onward")
+        start = checked_two(self.net, there, "there", values=False)
+        rest = checked_two(self.net, onward, "onward", values=False)
         dist = shared_stretch(self.net, self.weight, weight, start, rest, limit, slack)
         if dist is not None:
             return LeastCosts(self.net, weight, dist, labels=tuple(start))

@@ -17,18 +17,36 @@ _state = {"warm": False}
 
 
 def is_warm() -> bool:
-    """Tell whether this process has loaded the kernels."""
+    """Tell whether this process has loaded the kernels.
+
+    Returns
+    -------
+    bool
+        Whether `warm_up` has run.
+    """
     return _state["warm"]
 
 
 def is_compiled() -> bool:
-    """Tell whether compiled kernels lie in numba's cache, so that loading them is quick."""
+    """Tell whether compiled kernels lie in numba's cache, so that loading them is quick.
+
+    Returns
+    -------
+    bool
+        Whether there is an index of them.
+    """
     index = getattr(getattr(members._blocks, "_cache", None), "_cache_file", None)
     return index is not None and Path(index._index_path).is_file()
 
 
 def warm_up() -> float:
-    """Run every kernel once on a tiny network; return the seconds that took."""
+    """Run every kernel once on a tiny network.
+
+    Returns
+    -------
+    float
+        Seconds that took.
+    """
     begin = time.perf_counter()
     side = 3
     xs, ys = np.meshgrid(np.arange(side), np.arange(side))

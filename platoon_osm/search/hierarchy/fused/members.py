@@ -45,16 +45,35 @@ def best_on_route(
 
     Parameters
     ----------
-    route : (K + 1,) nodes.
-    origins, destinations : (N,) nodes.
-    platoon, length_m : (K + 1,) platoon weight and metres along the route up to each node.
-    entries, exits : the positions that each member may use, as first (N + 1,) and positions; by
-        default all.
+    metric : Metric
+        The hierarchy under one weight.
+    route : ndarray of int, (K + 1,)
+        Nodes of the route.
+    origins : ndarray of int, (N,)
+        Nodes where members start.
+    destinations : ndarray of int, (N,)
+        Nodes where they go.
+    platoon : ndarray of float, (K + 1,)
+        Platoon weight along the route up to each node.
+    length_m : ndarray of float, (K + 1,)
+        Metres along the route up to each node.
+    entries : tuple of ndarray of int, optional
+        Positions where each member may join, as first (N + 1,) and positions; by default all.
+    exits : tuple of ndarray of int, optional
+        Positions where each member may leave, likewise.
+    threads : int
+        Cores to use; results do not depend on it.
 
     Returns
     -------
-    i, j : (N,) -1 where staying alone is cheaper.
-    cost, solo : (N,)
+    i : ndarray of int, (N,)
+        Positions where they join; -1 where staying alone is cheaper.
+    j : ndarray of int, (N,)
+        Positions where they leave; -1 likewise.
+    cost : ndarray of float, (N,)
+        What each pays.
+    solo : ndarray of float, (N,)
+        What each pays alone.
     """
     t, count = metric.topology, len(origins)
     i, j = np.full(count, -1, np.int64), np.full(count, -1, np.int64)

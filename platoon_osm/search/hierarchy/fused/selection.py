@@ -37,11 +37,16 @@ class Selection:
 
     Attributes
     ----------
-    local : (n,) row of each rank; -1 outside.
-    first : (r + 1,) where the arcs of each row begin.
-    head : (b,) row of each arc's upper end.
-    arc : (b,) the arc in the whole hierarchy.
-    row : (k,) row of each target.
+    local : ndarray of int, (n,)
+        Row of each rank; -1 outside.
+    first : ndarray of int, (r + 1,)
+        Where the arcs of each row begin.
+    head : ndarray of int, (b,)
+        Row of each arc's upper end.
+    arc : ndarray of int, (b,)
+        The arc in the whole hierarchy.
+    row : ndarray of int, (k,)
+        Row of each target.
     """
 
     local: Ints
@@ -52,7 +57,20 @@ class Selection:
 
 
 def select(topology: Topology, targets: Longs) -> Selection:
-    """Return what sweeps to some targets need."""
+    """Return what sweeps to some targets need.
+
+    Parameters
+    ----------
+    topology : Topology
+        The whole hierarchy.
+    targets : ndarray of int, (k,)
+        Nodes.
+
+    Returns
+    -------
+    Selection
+        The part that leads to them.
+    """
     t = topology
     ranks = t.rank[targets]
     local, first, head, arc = _select(ranks, t.first, t.head, t.parent)
@@ -62,7 +80,26 @@ def select(topology: Topology, targets: Longs) -> Selection:
 def selected_table(
     metric: Metric, sources: Longs, targets: Longs, forward: bool = True, threads: int = 1
 ) -> Floats:
-    """Return costs (s, t) from sources to targets, or from targets to sources if not forward."""
+    """Return costs (s, t) from sources to targets, or from targets to sources if not forward.
+
+    Parameters
+    ----------
+    metric : Metric
+        The hierarchy under one weight.
+    sources : ndarray of int, (s,)
+        Nodes where paths start, if forward.
+    targets : ndarray of int, (t,)
+        Nodes where they end, if forward.
+    forward : bool
+        Whether paths lead to the targets; else they start there.
+    threads : int
+        Cores to use; results do not depend on it.
+
+    Returns
+    -------
+    ndarray of float, (s, t)
+        Costs; inf where there is no way.
+    """
     t = metric.topology
     found = np.empty((len(sources), len(targets)))
     if not found.size:
@@ -87,7 +124,23 @@ def selected_table(
 
 @compiled
 def climb(start: int, first: Ints, head: Ints, parent: Ints, cost: Floats, dist: Floats) -> None:
-    """Climb from a rank; `dist` (n,) is inf before, and what was reached holds costs after."""
+    """Climb from a rank; `dist` (n,) is inf before, and what was reached holds costs after.
+
+    Parameters
+    ----------
+    start : int
+        The rank.
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each rank begin.
+    head : ndarray of int, (a,)
+        Rank of each arc's upper end.
+    parent : ndarray of int, (n,)
+        Rank of the lowest upper neighbour; -1 for roots.
+    cost : ndarray of float, (a,)
+        Cost of each arc upward.
+    dist : ndarray of float, (n,)
+        Costs by rank, written here.
+    """
     dist[start] = 0.0
     v = start
     while v >= 0:
@@ -106,7 +159,22 @@ def into_lane(
 ) -> None:  # fmt: skip
     """Copy what was climbed from a start into its lane, and forget it.
 
-    `local` gives the row of each rank, -1 for none.
+    Parameters
+    ----------
+    start : int
+        The rank that was climbed from.
+    lane : int
+        Column of the table.
+    parent : ndarray of int, (n,)
+        Rank of the lowest upper neighbour; -1 for roots.
+    local : ndarray of int, (n,)
+        Row of each rank; -1 for none.
+    dist : ndarray of float, (n,)
+        Costs by rank, inf again after.
+    known : ndarray of bool, (r,)
+        Rows that hold costs already.
+    table : ndarray of float, (r, lanes)
+        Costs so far.
     """
     v = start
     while v >= 0:

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ....errors import SearchError
 from ....network.road_network import RoadNetwork
 from ..runtime.jit import compiled
 from ..runtime.lent import lent
@@ -62,6 +63,11 @@ def shared_stretch(
     ndarray of float, (n,), or None
         Cost of both, having driven together up to the node or met there; inf where no plan within
         the limit would part or pass. None if too many nodes matter.
+
+    Raises
+    ------
+    SearchError
+        A cost that is negative or NaN.
     """
     share = _least_share(solo, pair)
     if share <= 0:
@@ -70,6 +76,8 @@ def shared_stretch(
     most = max(net.n // FEW, 64)
     (u1, u2), (v1, v2) = there, onward
     done = _search(u1, u2, v1, v2, share, limit, slack, net.first_out, net.head, pair, most, found)
+    if done < 0:
+        raise SearchError("there and onward: a cost is negative or NaN; give costs of 0 or more")
     return found if done else None
 
 
@@ -87,17 +95,19 @@ def _least_share(solo: Floats, pair: Floats) -> float:
 def _search(
     u1: Floats, u2: Floats, v1: Floats, v2: Floats, share: float, limit: float, slack: float,
     first_out: Ints, head: Ints, weight: Floats, most: int, found: Floats,
-) -> bool:  # fmt: skip
-    """Fill `found`; return whether that took no more than `most` nodes."""
+) -> int:  # fmt: skip
+    """Fill `found`; return 1, 0 if that took more than `most` nodes, -1 if a cost is none."""
     keys, nodes = np.empty(2 * most), np.empty(2 * most, np.int32)
     size = 0
     for x in range(len(found)):
         found[x] = np.inf
         label = u1[x] + u2[x]
         key = label + share * (v1[x] + v2[x])
+        if not key >= 0:
+            return -1
         if key <= limit:
             if size == most:
-                return False
+                return 0
             found[x] = label
             keys[size], nodes[size] = key, x
             size += 1
@@ -119,7 +129,7 @@ def _search(
             settled[x] = True
             count += 1
             if count > most:
-                return False
+                return 0
         bound = min(bound, label + rest + slack)
         for e in range(first_out[x], first_out[x + 1]):
             h, new = head[e], label + weight[e]
@@ -136,7 +146,7 @@ def _search(
     for k in range(size):
         if not settled[nodes[k]]:
             found[nodes[k]] = np.inf
-    return True
+    return 1
 
 
 @compiled

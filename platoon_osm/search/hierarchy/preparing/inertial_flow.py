@@ -104,10 +104,16 @@ def bisect(first: Ints, head: Ints, x: Floats, y: Floats, side: NDArray[np.int8]
 
     Parameters
     ----------
-    first : (n + 1,)
-    head : (2 m,) undirected: every edge at both ends, neighbours ascending.
-    x, y : (n,) positions in a plane.
-    side : (n,) result: 0 and 1 for the sides, 2 for the nodes between.
+    first : ndarray of int, (n + 1,)
+        Where the neighbours of each node begin.
+    head : ndarray of int, (2 m,)
+        Undirected: every edge at both ends, neighbours ascending.
+    x : ndarray of float, (n,)
+        Positions in a plane.
+    y : ndarray of float, (n,)
+        Positions in a plane.
+    side : ndarray of int, (n,)
+        Result: 0 and 1 for the sides, 2 for the nodes between.
 
     Returns
     -------

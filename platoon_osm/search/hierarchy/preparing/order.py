@@ -24,7 +24,24 @@ Floats = NDArray[np.float64]
 
 
 def neighbours(n: int, tail: Ints, head: Ints) -> tuple[Ints, Ints]:
-    """Return the undirected simple graph under directed edges as first (n + 1,) and head."""
+    """Return the undirected simple graph under directed edges as first (n + 1,) and head.
+
+    Parameters
+    ----------
+    n : int
+        Number of nodes.
+    tail : ndarray of int, (m,)
+        Nodes where edges start.
+    head : ndarray of int, (m,)
+        Nodes where they end.
+
+    Returns
+    -------
+    first : ndarray of int, (n + 1,)
+        Where the neighbours of each node begin.
+    head : ndarray of int, (2 k,)
+        Neighbours, ascending.
+    """
     low = np.minimum(tail, head).astype(np.int64)
     high = np.maximum(tail, head)
     key = np.unique((low * n + high)[low != high])
@@ -53,8 +70,21 @@ def contraction_order(first: Ints, head: Ints, lon: Floats, lat: Floats, threads
 
     Parameters
     ----------
-    first, head : undirected simple graph, as from `neighbours`.
-    lon, lat : (n,) degrees. They decide how good the order is, never whether it is right.
+    first : ndarray of int, (n + 1,)
+        Where the neighbours of each node begin, as from `neighbours`.
+    head : ndarray of int, (2 k,)
+        Neighbours.
+    lon : ndarray of float, (n,)
+        Longitudes [degrees]; they decide how good the order is, never whether it is right.
+    lat : ndarray of float, (n,)
+        Latitudes [degrees].
+    threads : int
+        Cores to use.
+
+    Returns
+    -------
+    ndarray of int, (n,)
+        Nodes.
     """
     n = len(lon)
     order = np.empty(n, np.int32)

@@ -40,10 +40,18 @@ class Ranks:
 
     Attributes
     ----------
-    old : (n,) the former rank of each new one.
-    first, head, parent : as in `Topology`.
-    subtree : (s + 1,) ranks where the subtrees for threads begin, and where the top begins.
-    block : (b + 1,) ranks where the blocks begin, and n.
+    old : ndarray of int, (n,)
+        The former rank of each new one.
+    first : ndarray of int, (n + 1,)
+        As in `Topology`.
+    head : ndarray of int, (a,)
+        As in `Topology`.
+    parent : ndarray of int, (n,)
+        As in `Topology`.
+    subtree : ndarray of int, (s + 1,)
+        Ranks where the subtrees for threads begin, and where the top begins.
+    block : ndarray of int, (b + 1,)
+        Ranks where the blocks begin, and n.
     """
 
     old: Ints
@@ -55,7 +63,22 @@ class Ranks:
 
 
 def sweep_ranks(first: Ints, head: Ints, parent: Ints) -> Ranks:
-    """Give ranks anew."""
+    """Give ranks anew.
+
+    Parameters
+    ----------
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each former rank begin.
+    head : ndarray of int, (a,)
+        Former rank of each arc's upper end.
+    parent : ndarray of int, (n,)
+        Former rank of the lowest upper neighbour; -1 for roots.
+
+    Returns
+    -------
+    Ranks
+        The new ranks, and the arcs under them.
+    """
     n = len(parent)
     new, subtree = _subtrees_together(first, parent, SHARE)
     first, head, parent = _renumber(first, head, parent, new)
@@ -69,7 +92,18 @@ def sweep_ranks(first: Ints, head: Ints, parent: Ints) -> Ranks:
 
 
 def runs(first: Ints) -> Ints:
-    """Return where the class of nodes changes, and the number of nodes at the end."""
+    """Return where the class of nodes changes, and the number of nodes at the end.
+
+    Parameters
+    ----------
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each rank begin.
+
+    Returns
+    -------
+    ndarray of int, (r + 1,)
+        Ranks.
+    """
     arcs = np.minimum(np.diff(first), MANY)
     changes = np.flatnonzero(arcs[1:] != arcs[:-1]) + 1
     return np.concatenate([np.zeros(min(len(arcs), 1)), changes, [len(arcs)]]).astype(np.int32)
@@ -186,6 +220,20 @@ def _alike_together(first: Ints, parent: Ints, block: Ints, many: int) -> Ints:
 
 def block_rows(first: Ints, head: Ints, block: Ints) -> Ints:
     """Return the row of each arc's upper end in its block's buffer, as `Topology.local`.
+
+    Parameters
+    ----------
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each rank begin.
+    head : ndarray of int, (a,)
+        Rank of each arc's upper end.
+    block : ndarray of int, (b + 1,)
+        Ranks where the blocks begin, and n.
+
+    Returns
+    -------
+    ndarray of int, (a,)
+        Rows.
 
     Raises
     ------

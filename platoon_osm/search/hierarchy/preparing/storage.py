@@ -33,6 +33,18 @@ def topology_of(net: RoadNetwork, threads: int | None = None) -> Topology:
 
     A network opened from a file knows it; one made in memory is only kept. Two processes that
     build at once write files of their own and rename them, so each reads a whole one.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    threads : int, optional
+        Cores to use; by default all.
+
+    Returns
+    -------
+    Topology
+        Order, arcs and triangles.
     """
     kept = net.attached(KeptTopology)
     known: Topology | None = kept.of(net)
@@ -51,7 +63,18 @@ def topology_of(net: RoadNetwork, threads: int | None = None) -> Topology:
 
 
 def topology_hash(net: RoadNetwork) -> str:
-    """Return a hash of which edges join which nodes, and of this module's format."""
+    """Return a hash of which edges join which nodes, and of this module's format.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+
+    Returns
+    -------
+    str
+        Hexadecimal digits.
+    """
     digest = hashlib.sha256(f"{FORMAT_VERSION} {net.n} {net.m}".encode())
     digest.update(np.ascontiguousarray(net.tail).data)
     digest.update(np.ascontiguousarray(net.head).data)

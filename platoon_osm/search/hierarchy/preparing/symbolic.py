@@ -33,23 +33,39 @@ class Topology:
 
     Attributes
     ----------
-    node : (n,) the network's node of each rank.
-    rank : (n,) the rank of each of the network's nodes.
-    first : (n + 1,) where the arcs of each rank begin.
-    head : (a,) rank of the upper end; ascending within each node's arcs.
-    upper : (a,) the network's node at the upper end.
-    run : (r + 1,) ranks where the class of nodes changes, by number of arcs, and n.
-    block : (b + 1,) ranks where the blocks begin, and n.
-    local : (a,) row of the upper end in the buffer of the block: nodes of the block by rank, then
-        those above it that its root has arcs to.
-    parent : (n,) rank of the lowest upper neighbour; -1 for roots.
-    triangle : (t,) for each node, for each pair i < j of its arcs, the arc between their heads.
-    triangle_first : (n + 1,) where the triangles of each rank begin.
-    forth, back : (a,) the edge up each arc, and that down; m, which is no edge, if there is none.
-    spare, spare_place : (k,) edges parallel to those, and where each belongs: 2 * arc, plus 1 if
-        it leads down; ascending by place.
-    subtree : (s + 1,) ranks where the subtrees for threads begin; the last is where the top
-        begins.
+    node : ndarray of int, (n,)
+        The network's node of each rank.
+    rank : ndarray of int, (n,)
+        The rank of each of the network's nodes.
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each rank begin.
+    head : ndarray of int, (a,)
+        Rank of the upper end; ascending within each node's arcs.
+    upper : ndarray of int, (a,)
+        The network's node at the upper end.
+    run : ndarray of int, (r + 1,)
+        Ranks where the class of nodes changes, by number of arcs, and n.
+    block : ndarray of int, (b + 1,)
+        Ranks where the blocks begin, and n.
+    local : ndarray of int, (a,)
+        Row of the upper end in the buffer of the block: nodes of the block by rank, then those
+        above it that its root has arcs to.
+    parent : ndarray of int, (n,)
+        Rank of the lowest upper neighbour; -1 for roots.
+    triangle : ndarray of int, (t,)
+        For each node, for each pair i < j of its arcs, the arc between their heads.
+    triangle_first : ndarray of int, (n + 1,)
+        Where the triangles of each rank begin.
+    forth : ndarray of int, (a,)
+        The edge up each arc; m, which is no edge, if there is none.
+    back : ndarray of int, (a,)
+        The edge down each arc; m likewise.
+    spare : ndarray of int, (k,)
+        Edges parallel to those.
+    spare_place : ndarray of int, (k,)
+        Where each belongs: 2 * arc, plus 1 if it leads down; ascending.
+    subtree : ndarray of int, (s + 1,)
+        Ranks where the subtrees for threads begin; the last is where the top begins.
     """
 
     node: Ints
@@ -80,7 +96,13 @@ class Topology:
         return int(self.subtree[-1])
 
     def parts(self) -> list[tuple[int, int]]:
-        """Return the ranks of each subtree, the one with most arcs first."""
+        """Return the ranks of each subtree, the one with most arcs first.
+
+        Returns
+        -------
+        list of tuple of int
+            First rank and the one after the last.
+        """
         pairs = list(zip(self.subtree[:-1].tolist(), self.subtree[1:].tolist(), strict=True))
         return sorted(pairs, key=lambda pair: int(self.first[pair[0]] - self.first[pair[1]]))
 
@@ -90,8 +112,21 @@ def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: in
 
     Parameters
     ----------
-    tail, head : (m,) ends of its edges.
-    lon, lat : (n,) degrees.
+    tail : ndarray of int, (m,)
+        Nodes where its edges start.
+    head : ndarray of int, (m,)
+        Nodes where they end.
+    lon : ndarray of float, (n,)
+        Longitudes [degrees].
+    lat : ndarray of float, (n,)
+        Latitudes [degrees].
+    threads : int
+        Cores to use.
+
+    Returns
+    -------
+    Topology
+        The hierarchy without weights.
     """
     n = len(lon)
     near_first, near = neighbours(n, tail, head)

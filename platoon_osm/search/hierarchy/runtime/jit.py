@@ -17,5 +17,15 @@ def compiled(kernel: Kernel) -> Kernel:
 
     `nogil` lets threads run kernels side by side. There is no `fastmath`: it would let the
     compiler reorder sums, and answers would differ between machines.
+
+    Parameters
+    ----------
+    kernel : callable
+        A function of numbers and arrays.
+
+    Returns
+    -------
+    callable
+        The same, compiled when it is first called.
     """
     return cast(Kernel, numba.njit(cache=True, nogil=True, error_model="numpy")(kernel))

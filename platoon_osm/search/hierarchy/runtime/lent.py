@@ -51,7 +51,18 @@ class _Loan:
 
 
 def lent(*shape: int) -> Floats:
-    """Return an uninitialised array of a shape; its memory is kept when it is no longer used."""
+    """Return an uninitialised array of a shape; its memory is kept when it is no longer used.
+
+    Parameters
+    ----------
+    *shape : int
+        Extent of each dimension.
+
+    Returns
+    -------
+    ndarray of float
+        Numbers of 8 bytes.
+    """
     size = 8 * math.prod(shape)
     if not WORTH_LENDING <= size <= KEPT_BYTES:
         return np.empty(shape)

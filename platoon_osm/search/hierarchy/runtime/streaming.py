@@ -25,7 +25,20 @@ LINE = 8
 
 
 def aligned_rows(rows: int, columns: int) -> NDArray[np.float64]:
-    """Return an uninitialised array whose rows begin at cache lines; columns a multiple of 8."""
+    """Return an uninitialised array whose rows begin at cache lines; columns a multiple of 8.
+
+    Parameters
+    ----------
+    rows : int
+        Number of rows.
+    columns : int
+        Numbers in a row, a multiple of 8.
+
+    Returns
+    -------
+    ndarray of float, (rows, columns)
+        Numbers of 8 bytes.
+    """
     memory = lent(rows * columns + LINE)
     skipped = -(memory.ctypes.data // 8) % LINE
     return memory[skipped : skipped + rows * columns].reshape(rows, columns)

@@ -15,7 +15,13 @@ _pools: dict[tuple[int, int], ThreadPoolExecutor] = {}
 
 
 def cores() -> int:
-    """Return how many cores this process may use."""
+    """Return how many cores this process may use.
+
+    Returns
+    -------
+    int
+        At least 1.
+    """
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -25,6 +31,20 @@ def run_all(task: Callable[[Item], Result], items: Sequence[Item], threads: int)
     """Return what a task makes of each item, in their order.
 
     The caller's thread takes its share: waking another costs as much as a small task.
+
+    Parameters
+    ----------
+    task : callable
+        What to do with an item; it may run beside itself.
+    items : sequence
+        What to do it with.
+    threads : int
+        Cores to use.
+
+    Returns
+    -------
+    list
+        One result an item.
     """
     if threads <= 1 or len(items) <= 1:
         return [task(item) for item in items]

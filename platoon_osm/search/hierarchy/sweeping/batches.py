@@ -43,6 +43,22 @@ def from_many(metric: Metric, nodes: Longs, forward: bool = True, threads: int =
     """Return costs (k, n) from each of k nodes to all, or from all to each.
 
     The result is the transpose of an array in which all distances of one node lie side by side.
+
+    Parameters
+    ----------
+    metric : Metric
+        The hierarchy under one weight.
+    nodes : ndarray of int, (k,)
+        Nodes searched from.
+    forward : bool
+        Whether paths start at the nodes; else they end there.
+    threads : int
+        Cores to use; results do not depend on it.
+
+    Returns
+    -------
+    ndarray of float, (k, n)
+        Costs; inf where there is no way.
     """
     t, count = metric.topology, len(nodes)
     workers = 1 if len(t.head) * count < WORTH_A_THREAD else threads

@@ -27,9 +27,20 @@ def sweep_rows(
 
     Parameters
     ----------
-    row : (a,) row of each arc's upper end; that of rank v is v - low.
-    known : (n,) ranks whose rows hold costs already; others hold nothing yet.
-    table : (r, lanes)
+    low : int
+        First rank swept.
+    high : int
+        The rank after the last one swept.
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each rank begin.
+    row : ndarray of int, (a,)
+        Row of each arc's upper end; that of rank v is v - low.
+    descend : ndarray of float, (a,)
+        Cost of each arc downward.
+    known : ndarray of bool, (n,)
+        Ranks whose rows hold costs already; others hold nothing yet.
+    table : ndarray of float, (r, lanes)
+        Costs so far, completed here.
     """
     for v in range(high - 1, low - 1, -1):
         own, a, end = table[v - low], first[v], first[v + 1]

@@ -40,7 +40,21 @@ def from_one(
 
     Parameters
     ----------
-    found : (n,) where to write them, if given.
+    metric : Metric
+        The hierarchy under one weight.
+    node : int
+        Node searched from.
+    forward : bool
+        Whether paths start at the node; else they end there.
+    threads : int
+        Cores to use; results do not depend on it.
+    found : ndarray of float, (n,), optional
+        Where to write the costs.
+
+    Returns
+    -------
+    ndarray of float, (n,)
+        Costs; inf where there is no way.
     """
     t = metric.topology
     ascend, descend = metric.towards(forward)
@@ -64,6 +78,20 @@ def from_labels(metric: Metric, labels: Floats, threads: int = 1) -> Floats:
     """Return for each node the least cost (n,) of a path that starts at any x with cost labels[x].
 
     Every node may be a start, so all are climbed from, in order of rank.
+
+    Parameters
+    ----------
+    metric : Metric
+        The hierarchy under one weight.
+    labels : ndarray of float, (n,)
+        Starting costs; inf where no path may start.
+    threads : int
+        Cores to use; results do not depend on it.
+
+    Returns
+    -------
+    ndarray of float, (n,)
+        Costs; inf where there is no way.
     """
     t = metric.topology
     found = lent(t.n)
@@ -108,7 +136,20 @@ def _labels(
 
 @compiled
 def ancestors(start: int, parent: Ints) -> Ints:
-    """Return a rank and all above it in the elimination tree, ascending."""
+    """Return a rank and all above it in the elimination tree, ascending.
+
+    Parameters
+    ----------
+    start : int
+        The rank.
+    parent : ndarray of int, (n,)
+        Rank of the lowest upper neighbour; -1 for roots.
+
+    Returns
+    -------
+    ndarray of int, (k,)
+        Ranks.
+    """
     length, v = 0, start
     while v >= 0:
         length += 1
@@ -137,7 +178,23 @@ def _one(
 
 @compiled
 def climb(climbed: Ints, first: Ints, upper: Ints, cost: Floats, node: Ints, found: Floats) -> None:
-    """Climb from the first of some ranks, a node's ancestors, where `found` is inf."""
+    """Climb from the first of some ranks, a node's ancestors, where `found` is inf.
+
+    Parameters
+    ----------
+    climbed : ndarray of int, (k,)
+        The rank to start from and its ancestors.
+    first : ndarray of int, (n + 1,)
+        Where the arcs of each rank begin.
+    upper : ndarray of int, (a,)
+        The network's node at the upper end of each arc.
+    cost : ndarray of float, (a,)
+        Cost of each arc upward.
+    node : ndarray of int, (n,)
+        The network's node of each rank.
+    found : ndarray of float, (n,)
+        Costs of the network's nodes, written here.
+    """
     found[node[climbed[0]]] = 0.0
     for v in climbed:
         d = found[node[v]]

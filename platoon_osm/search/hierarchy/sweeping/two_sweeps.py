@@ -25,7 +25,24 @@ U = np.uint64
 
 
 def from_two(metric: Metric, nodes: Longs, forward: bool = True, threads: int = 1) -> Floats:
-    """Return costs (2, n) from each of two nodes to all, or from all to each if not forward."""
+    """Return costs (2, n) from each of two nodes to all, or from all to each if not forward.
+
+    Parameters
+    ----------
+    metric : Metric
+        The hierarchy under one weight.
+    nodes : ndarray of int, (2,)
+        Nodes searched from.
+    forward : bool
+        Whether paths start at the nodes; else they end there.
+    threads : int
+        Cores to use; results do not depend on it.
+
+    Returns
+    -------
+    ndarray of float, (2, n)
+        Costs; inf where there is no way.
+    """
     t = metric.topology
     ascend, descend = metric.towards(forward)
     found = lent(t.n, 2)
