@@ -17,7 +17,7 @@ import numpy as np
 
 from benchmarks.interleaved import compare
 from benchmarks.sections import markdown_table, write_section
-from platoon_osm.costs.weights import PaperCosts
+from platoon_osm.costs.paper import PaperCosts
 from platoon_osm.study.monte_carlo import run_study
 from platoon_osm.study.one_run import plan_draw
 from platoon_osm.study.random_network import Draw

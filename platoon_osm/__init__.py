@@ -12,7 +12,8 @@ from .offers import offer
 if TYPE_CHECKING:
     from .costs.fatigue import FatigueModel
     from .costs.fuel import FUEL_SAVINGS, FuelSaving
-    from .costs.weights import EdgeWeights, PaperCosts, paper_weights
+    from .costs.paper import PaperCosts, paper_weights
+    from .costs.weights import EdgeWeights
     from .errors import (
         MapDataError,
         NetworkError,
@@ -24,8 +25,10 @@ if TYPE_CHECKING:
     from .network.road_network import RoadNetwork
     from .planning.cases import plan_members
     from .planning.joint import plan_joint
-    from .plans.records import JointPlan, VehiclePlan
+    from .planning.problem import Problem
+    from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
+    from .plans.vehicles import VehiclePlan
     from .report.charts.figures import write_figures
     from .report.exports.gis import to_geodataframe, write_geopackage
     from .report.exports.tracks import write_csv, write_gpx
@@ -44,8 +47,8 @@ _WHERE = {
     "FUEL_SAVINGS": "costs.fuel",
     "FuelSaving": "costs.fuel",
     "EdgeWeights": "costs.weights",
-    "PaperCosts": "costs.weights",
-    "paper_weights": "costs.weights",
+    "PaperCosts": "costs.paper",
+    "paper_weights": "costs.paper",
     "MapDataError": "errors",
     "NetworkError": "errors",
     "NoRouteError": "errors",
@@ -56,8 +59,12 @@ _WHERE = {
     "many_to_many": "search.engine",
     "plan_members": "planning.cases",
     "plan_joint": "planning.joint",
-    "JointPlan": "plans.records",
-    "VehiclePlan": "plans.records",
+    "JointPlan": "plans.plan",
+    "Plan": "plans.plan",
+    "Problem": "planning.problem",
+    "Proof": "plans.proof",
+    "Searches": "search.searches",
+    "VehiclePlan": "plans.vehicles",
     "Trip": "plans.trip",
     "to_geodataframe": "report.exports.gis",
     "write_geopackage": "report.exports.gis",
@@ -89,11 +96,15 @@ __all__ = [
     "NetworkError",
     "NoRouteError",
     "PaperCosts",
+    "Plan",
     "PlatoonError",
+    "Problem",
+    "Proof",
     "RandomNetwork",
     "RoadNetwork",
     "RoadTrips",
     "ScenarioError",
+    "Searches",
     "Study",
     "StudyResult",
     "Trip",

@@ -27,3 +27,25 @@ class ScenarioError(PlatoonError):
 
 class SearchError(PlatoonError, ValueError):
     """A weight, node or other argument of a search is none that it can use."""
+
+
+def brief(value: object, most: int = 60) -> str:
+    """Return how a value looks, on one line, for a message.
+
+    Parameters
+    ----------
+    value : object
+        Anything; what it looks like may run over several lines, or be long.
+    most : int
+        Characters at most.
+
+    Returns
+    -------
+    str
+        The beginning of its `repr`, blanks and line ends as single spaces.
+    """
+    try:
+        text = " ".join(repr(value).split())
+    except Exception:  # somebody else's repr must not hide what is wrong
+        text = f"a {type(value).__name__}"
+    return text if len(text) <= most else text[: most - 1] + "\u2026"

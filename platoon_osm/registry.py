@@ -13,7 +13,7 @@ import difflib
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Protocol, TypeVar
 
-from .errors import ScenarioError
+from .errors import ScenarioError, brief
 
 __all__ = ["Named", "Registry"]
 
@@ -120,7 +120,7 @@ class Registry(Mapping[str, Item]):
         near = difflib.get_close_matches(name, self._items, 1, 0.5) if isinstance(name, str) else []
         hint = f"did you mean {near[0]!r}? " if near else ""
         raise ScenarioError(
-            f"{self.kind} {repr(name)[:80]} is unknown; {hint}use one of {', '.join(self._items)}"
+            f"{self.kind} {brief(name)} is unknown; {hint}use one of {', '.join(self._items)}"
         )
 
     def __getitem__(self, name: str) -> Item:

@@ -49,12 +49,28 @@ PHI = 96.06
 
 
 def fatigue_curve(driving_s: ArrayLike, period: Period) -> Floats:
-    """Fatigue after some time of consecutive driving, eq. 6, 7 or 8 of [1]_.
+    """Return fatigue after some time of consecutive driving, eq. 6, 7 or 8 of [1]_.
 
     Parameters
     ----------
-    driving_s : consecutive driving time [s].
-    period : "morning" (eq. 6), "afternoon" (eq. 7) or "night" (eq. 8).
+    driving_s : array_like of float
+        Consecutive driving time [s].
+    period : {"morning", "afternoon", "night"}
+        Of the day: eq. 6, 7 or 8.
+
+    Returns
+    -------
+    ndarray of float
+        Fatigue, of the shape of `driving_s`.
+
+    Raises
+    ------
+    ScenarioError
+        A period that is none.
+
+    References
+    ----------
+    .. [1] Adas et al., "Joint travel route optimization", IFAC 2025, after Zhang et al. 2019.
     """
     if period not in PERIODS:
         raise ScenarioError(f"period {period!r} is unknown; use {', '.join(PERIODS)}")
@@ -79,10 +95,12 @@ class FatigueModel:
 
     Attributes
     ----------
-    form : "as_printed" is the sum of the three curves (eq. 9); "by_period" the curve of the time
-        of day; "monotone" the running maximum of the sum: a driver does not recover by driving on.
-    task_relief : [0, 1], how much a follower's driving clock slows: 1 stops it (the paper), 0 lets
-        it run (EU law today).
+    form : {"as_printed", "by_period", "monotone"}
+        "as_printed" is the sum of the three curves (eq. 9); "by_period" the curve of the time of
+        day; "monotone" the running maximum of the sum: a driver does not recover by driving on.
+    task_relief : float
+        How much a follower's driving clock slows, [0, 1]: 1 stops it (the paper), 0 lets it run
+        (EU law today).
     """
 
     form: FatigueForm = "monotone"
@@ -96,12 +114,24 @@ class FatigueModel:
         _check_relief(self.task_relief)
 
     def along(self, clock_s: ArrayLike, hour_of_day: ArrayLike | None = None) -> Floats:
-        """Fatigue along a journey.
+        """Return fatigue along a journey.
 
         Parameters
         ----------
-        clock_s : (k,) driving clock at k moments in order [s].
-        hour_of_day : (k,) local time of those moments [h], needed by "by_period".
+        clock_s : array_like of float, (k,)
+            Driving clock at k moments in order [s].
+        hour_of_day : array_like of float, (k,), optional
+            Local time of those moments [h], needed by "by_period".
+
+        Returns
+        -------
+        ndarray of float, (k,)
+            Fatigue at those moments.
+
+        Raises
+        ------
+        ScenarioError
+            A moment that is not finite, or no hours of the day where they are needed.
 
         Warns
         -----
@@ -141,7 +171,18 @@ def _check_relief(task_relief: float) -> None:
 
 
 def period_of_day(hour: ArrayLike) -> NDArray[np.int64]:
-    """Return 0 for morning (6 to 12 h), 1 for afternoon (12 to 20 h), 2 for night."""
+    """Return 0 for morning (6 to 12 h), 1 for afternoon (12 to 20 h), 2 for night.
+
+    Parameters
+    ----------
+    hour : array_like of float
+        Hours of the day.
+
+    Returns
+    -------
+    ndarray of int
+        Of the shape of `hour`.
+    """
     h = np.asarray(hour, np.float64) % 24
     return np.where((h >= 6) & (h < 12), 0, np.where((h >= 12) & (h < 20), 1, 2)).astype(np.int64)
 
@@ -153,12 +194,19 @@ def driving_clock(
 
     Parameters
     ----------
-    legs : (role, seconds) in order; in role "platoon" the clock runs at 1 - task_relief.
-    step_s : at most this far apart.
+    legs : iterable of tuple of str and float
+        Role and duration [s] in order; in role "platoon" the clock runs at 1 - task_relief.
+    task_relief : float
+        How much a follower's clock slows, [0, 1].
+    step_s : float
+        Moments are at most this far apart [s].
 
     Returns
     -------
-    time_s, clock_s : (k,) from 0 to the journey's end.
+    time_s : ndarray of float, (k,)
+        From 0 to the journey's end [s].
+    clock_s : ndarray of float, (k,)
+        The driving clock [s].
 
     Raises
     ------
@@ -190,9 +238,21 @@ def fatigue_heuristic(distance_m: ArrayLike, master_cost: float, speed_mps: floa
 
     Parameters
     ----------
-    distance_m : great-circle distance from each node to the goal [m].
-    master_cost : travel cost of the master vehicle.
-    speed_mps : cruising speed, for the estimated time t.
+    distance_m : array_like of float
+        Great-circle distance from each node to the goal [m].
+    master_cost : float
+        Travel cost of the master vehicle.
+    speed_mps : float
+        Cruising speed, for the estimated time t [m/s].
+
+    Returns
+    -------
+    ndarray of float
+        Of the shape of `distance_m`.
+
+    References
+    ----------
+    .. [1] Adas et al., "Joint travel route optimization", IFAC 2025.
     """
     estimated_s = np.asarray(distance_m, np.float64) / speed_mps
     return PHI * master_cost * _printed(estimated_s)

@@ -18,8 +18,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..costs.weights import EdgeWeights
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
+from ..search.arguments import checked_network
 from ..search.engine import EngineName, engine_for
 from ..search.joining import best_pairs, entry_exit_costs, only_at
 
@@ -38,11 +39,15 @@ class MemberPlans:
 
     Attributes
     ----------
-    merge, separation : nodes; -1 for a member that stays alone.
-    merge_index, separation_index : positions of those nodes on the route; -1 likewise.
-    cost, solo_cost : of the member as planned, and alone.
-    applicable : whether the case can apply at all (A: the destination lies on the route; B: the
-        origin does).
+    merge, separation : ndarray of int, (N,)
+        Nodes; -1 for a member that stays alone.
+    merge_index, separation_index : ndarray of int, (N,)
+        Positions of those nodes on the route; -1 likewise.
+    cost, solo_cost : ndarray of float, (N,)
+        Of the member as planned, and alone.
+    applicable : ndarray of bool, (N,)
+        Whether the case can apply at all (A: the destination lies on the route; B: the origin
+        does).
     """
 
     merge: Index
@@ -55,14 +60,26 @@ class MemberPlans:
 
 
 def route_nodes(net: RoadNetwork, route: ArrayLike) -> Index:
-    """Return the K + 1 nodes of a route of K edges.
+    """Return the nodes of a route.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    route : array_like of int, (K,)
+        Edge ids in driving order.
+
+    Returns
+    -------
+    ndarray of int, (K + 1,)
+        Its nodes.
 
     Raises
     ------
     ScenarioError
-        If the edges do not follow each other.
+        If there are no edges, or they do not follow each other.
     """
-    edges = np.asarray(route, np.int64)
+    edges = _positions("route", "edges", route)
     if not len(edges):
         raise ScenarioError("route: it has no edges; the master must drive somewhere")
     outside = (edges < 0) | (edges >= net.m)
@@ -91,12 +108,21 @@ def plan_members(
 
     Parameters
     ----------
-    route : (K,) edge ids of the master's route, in driving order.
-    origins, destinations : (N,) nodes.
-    case : "A" separates at the destination, "B" merges at the origin, "C" is free in both.
-    entries, exits : for B and A, per member, the nodes that count as its origin and destination,
-        where a place has several, such as both carriageways of a junction; by default the one.
-    engine : "reference", "hierarchy", or "auto" for the one that is likely faster.
+    net : RoadNetwork
+        The network.
+    weights : EdgeWeights
+        What edges cost.
+    route : array_like of int, (K,)
+        Edge ids of the master's route, in driving order.
+    origins, destinations : array_like of int, (N,)
+        Nodes.
+    case : {"A", "B", "C"}
+        "A" separates at the destination, "B" merges at the origin, "C" is free in both.
+    entries, exits : sequence of iterable of int, (N, ...), optional
+        For B and A, per member, the nodes that count as its origin and destination, where a place
+        has several, such as both carriageways of a junction; by default the one.
+    engine : {"auto", "reference", "hierarchy"}
+        Which engine searches, "auto" the one that is likely faster.
 
     Returns
     -------
@@ -106,12 +132,26 @@ def plan_members(
     Raises
     ------
     ScenarioError
-        Unknown case, a node outside the network, or a route that is none.
+        Unknown case, a node outside the network, a route that is none, weights of another network.
+    SearchError
+        No network, or no such engine.
     """
-    if case not in ("A", "B", "C"):
-        raise ScenarioError(f'case {case!r}: one master and members are planned by "A", "B" or "C"')
-    start, end = (np.atleast_1d(np.asarray(nodes, np.int64)) for nodes in (origins, destinations))
-    if start.shape != end.shape or start.ndim != 1:
+    net = checked_network(net)
+    if not hasattr(weights, "weights"):
+        raise ScenarioError(
+            f"members: weights is a {type(weights).__name__}; give edge weights, such as "
+            "paper_weights(net)"
+        )
+    weights = weights.weights(net)
+    if not isinstance(case, str) or case not in ("A", "B", "C"):
+        raise ScenarioError(
+            f'case {brief(case)}: one master and members are planned by "A", "B" or "C"'
+        )
+    start, end = (
+        _positions("members", "nodes", origins),
+        _positions("members", "nodes", destinations),
+    )
+    if start.shape != end.shape:
         raise ScenarioError(
             f"members: {len(start)} origins and {len(end)} destinations; give one of each a member"
         )
@@ -158,9 +198,28 @@ def choose_points(
 
     Parameters
     ----------
-    costs : entry (N, K + 1), exit (N, K + 1) and solo (N,), as from `entry_exit_costs`.
-    gain : (N, K) what others save on each edge of the route if the member drives it in the
-        platoon; it counts in the choice, not in the member's cost.
+    net : RoadNetwork
+        The network.
+    weights : EdgeWeights
+        What edges cost.
+    route : array_like of int, (K,)
+        Edge ids of the master's route, in driving order.
+    origins, destinations : ndarray of int, (N,)
+        Nodes.
+    case : {"A", "B", "C"}
+        As in `plan_members`.
+    costs : tuple of ndarray of float
+        Entry (N, K + 1), exit (N, K + 1) and solo (N,), as from `entry_exit_costs`.
+    entries, exits : sequence of iterable of int, (N, ...), optional
+        As in `plan_members`.
+    gain : array_like of float, (N, K), optional
+        What others save on each edge of the route if the member drives it in the platoon; it
+        counts in the choice, not in the member's cost.
+
+    Returns
+    -------
+    MemberPlans
+        Ties as in `plan_members`.
     """
     entry, leave, solo = costs
     nodes = route_nodes(net, route)
@@ -198,8 +257,32 @@ def choose_points(
 
 
 def running_sum(values: Floats) -> Floats:
-    """Return the sums of the first 0, 1, .. K of K values (K + 1,)."""
+    """Return the sums of the first 0, 1, .. K of some values.
+
+    Parameters
+    ----------
+    values : ndarray of float, (K,)
+        Any.
+
+    Returns
+    -------
+    ndarray of float, (K + 1,)
+        Begins with 0.
+    """
     return np.concatenate([[0.0], np.cumsum(values)])
+
+
+def _positions(what: str, of: str, values: ArrayLike) -> Index:
+    """Return positions as an array (k,)."""
+    try:
+        found = np.atleast_1d(np.asarray(values))
+    except (TypeError, ValueError):
+        found = np.array([None])
+    if found.ndim != 1 or (found.size and found.dtype.kind not in "iu"):
+        raise ScenarioError(
+            f"{what}: give {of} as a list of whole numbers, not {repr(values)[:60]}"
+        )
+    return found.astype(np.int64)
 
 
 def _places_on(
@@ -212,6 +295,11 @@ def _places_on(
         first = np.concatenate([[0], np.cumsum(high - low)])
         step = np.arange(first[-1]) - np.repeat(first[:-1], high - low)
         return first, order[np.repeat(low, high - low) + step]
+    places = list(places)
+    if len(places) != len(own):
+        raise ScenarioError(
+            f"members: places of {len(places)}, there are {len(own)}; give those of each member"
+        )
     found = [
         np.flatnonzero(np.isin(nodes, [mine, *others]))
         for mine, others in zip(own.tolist(), places, strict=True)

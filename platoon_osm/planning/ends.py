@@ -8,16 +8,19 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..costs.weights import EdgeWeights
-from ..errors import NoRouteError, ScenarioError
-from ..network.location import Location
+from ..errors import NoRouteError, PlatoonError, ScenarioError
+from ..network.locate import locate
+from ..network.location import Location, Role
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip
-from ..search.dijkstra import ReferenceEngine
+from ..search.trees import Trees
 
-__all__ = ["TripEnds", "resolve_trips"]
+__all__ = ["TripEnds", "located", "resolve_trips"]
 
 ACCESS_DETOUR = 1.4
 """Way to a node against the straight distance, where only the latter is known."""
+
+Ends = tuple[Location, Location]
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,9 +29,14 @@ class TripEnds:
 
     Attributes
     ----------
-    origin, destination : the chosen nodes.
-    origins, destinations : all nodes that are the same place.
-    origin_name, destination_name : as people know them.
+    vehicle : str
+        Who drives.
+    origin, destination : int
+        The chosen nodes.
+    origins, destinations : frozenset of int
+        All nodes that are the same place.
+    origin_name, destination_name : str
+        As people know them.
     """
 
     vehicle: str
@@ -40,32 +48,91 @@ class TripEnds:
     destination_name: str
 
 
+def located(net: RoadNetwork, trips: Sequence[Trip]) -> list[Ends]:
+    """Find the places of trips on a network.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    trips : sequence of Trip, (N,)
+        Places as names, coordinates, nodes or locations.
+
+    Returns
+    -------
+    list of tuple of Location, (N, 2)
+        Origin and destination of each.
+
+    Raises
+    ------
+    PlatoonError
+        A place that is not there, with trip and end; or a trip that ends where it starts.
+    """
+    return [(_located(net, trip, "origin"), _located(net, trip, "destination")) for trip in trips]
+
+
+def _located(net: RoadNetwork, trip: Trip, end: Role) -> Location:
+    place = trip.origin if end == "origin" else trip.destination
+    if isinstance(place, Location):
+        for node, _ in place.candidates:
+            if not 0 <= node < net.n:
+                raise ScenarioError(
+                    f"trip {trip.vehicle!r}, {end}: {place.name} is at node {node}, the network "
+                    f"has nodes 0 to {net.n - 1}; locate it on this network"
+                )
+        return place
+    try:
+        return locate(net, place, end)
+    except PlatoonError as error:
+        raise type(error)(f"trip {trip.vehicle!r}, {end}: {error}") from error
+
+
 def resolve_trips(
-    net: RoadNetwork, weights: EdgeWeights, engine: ReferenceEngine, trips: Sequence[Trip]
+    net: RoadNetwork,
+    weights: EdgeWeights,
+    trees: Trees,
+    trips: Sequence[Trip],
+    places: Sequence[Ends] | None = None,
 ) -> list[TripEnds]:
     """Choose for each trip the pair of nodes with the least way in all, access included.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    weights : EdgeWeights
+        What edges cost.
+    trees : Trees
+        Searches under the solo weight.
+    trips : sequence of Trip, (N,)
+        Who goes where.
+    places : sequence of tuple of Location, (N, 2), optional
+        Their ends, if `located` found them before.
+
+    Returns
+    -------
+    list of TripEnds, (N,)
+        Nodes and names.
 
     Raises
     ------
     ScenarioError
-        Two vehicles of one name, or a trip that ends where it starts.
+        A trip that ends where it starts.
     NoRouteError
         A trip without any route.
     """
-    names = [trip.vehicle for trip in trips]
-    for name in names:
-        if (times := names.count(name)) > 1:
-            raise ScenarioError(f"vehicle {name!r} has {times} trips; names must differ")
     length = float(net.length_m.sum())
     per_metre = ACCESS_DETOUR * float(weights.solo.sum()) / length if length else 0.0
-    return [_resolve(net, engine, trip, per_metre) for trip in trips]
+    ends = located(net, trips) if places is None else places
+    return [
+        _resolve(net, trees, trip, own, per_metre) for trip, own in zip(trips, ends, strict=True)
+    ]
 
 
-def _resolve(net: RoadNetwork, engine: ReferenceEngine, trip: Trip, per_metre: float) -> TripEnds:
-    start, end = (
-        place if isinstance(place, Location) else net.locate(place)
-        for place in (trip.origin, trip.destination)
-    )
+def _resolve(
+    net: RoadNetwork, trees: Trees, trip: Trip, places: Ends, per_metre: float
+) -> TripEnds:
+    start, end = places
     starts, ends = ([node for node, _ in place.candidates] for place in (start, end))
     same_spot = (start.lon, start.lat) == (end.lon, end.lat)
     same_name = start.name == end.name and set(starts) & set(ends)
@@ -76,7 +143,7 @@ def _resolve(net: RoadNetwork, engine: ReferenceEngine, trip: Trip, per_metre: f
         )
     access, egress = (np.array([away for _, away in place.candidates]) for place in (start, end))
     total = (
-        engine.distances(starts)[:, ends]
+        trees.table(starts, ends)
         + per_metre * (access[:, None] + egress)
         # Two places so near that they share a node must not meet in it.
         + np.where(np.equal.outer(starts, ends), np.inf, 0.0)

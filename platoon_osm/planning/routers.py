@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..costs.fatigue import fatigue_heuristic
 from ..network.geodesy import distance_m
 from ..network.road_network import RoadNetwork
-from ..search.dijkstra import ReferenceEngine, Tree, astar
+from ..search.dijkstra import astar
+from ..search.trees import Trees
 
 __all__ = ["AstarRouter", "DijkstraRouter", "Method", "Router"]
 
@@ -20,39 +20,81 @@ Edges = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
 
-@dataclass(slots=True)
-class DijkstraRouter:
-    """Exact routes and costs alone; trees are kept, for a plan asks for the same ones again."""
+class Router(Protocol):
+    """What the planner asks of a method: routes alone, and what they cost."""
 
-    engine: ReferenceEngine
-    _trees: dict[tuple[int, bool], Tree] = field(default_factory=dict)
-
-    def tree(self, node: int, forward: bool) -> Tree:
-        """Return the tree of least-cost paths from a node, or to it."""
-        key = (int(node), forward)
-        if key not in self._trees:
-            self._trees[key] = self.engine.tree(*key)
-        return self._trees[key]
-
-    def distances(self, nodes: ArrayLike, forward: bool = True) -> Floats:
-        """Return costs (k, n), as `ReferenceEngine.distances`."""
-        return self.engine.distances(nodes, forward)
-
-    def route(self, origin: int, destination: int, backward: bool = False) -> Edges:
-        """Return the edges of a least-cost route.
+    def route(self, origin: int, destination: int) -> Edges:
+        """Return the edges of the route between two nodes.
 
         Parameters
         ----------
-        backward : take it from the tree to the destination instead of that from the origin; of
-            equal routes the two may differ.
-        """
-        if backward:
-            return self.tree(destination, forward=False).path(origin)
-        return self.tree(origin, forward=True).path(destination)
+        origin, destination : int
+            Nodes.
 
-    def cost(self, origin: int, destination: int) -> float:
-        """Return the least cost; inf if there is no route."""
-        return float(self.tree(origin, forward=True).dist[destination])
+        Returns
+        -------
+        ndarray of int, (k,)
+            Edge ids in driving order.
+        """
+        ...
+
+    def table(self, origins: Edges, destinations: Edges) -> Floats:
+        """Return the costs of routes between nodes.
+
+        Parameters
+        ----------
+        origins, destinations : ndarray of int, (S,), (T,)
+            Nodes.
+
+        Returns
+        -------
+        ndarray of float, (S, T)
+            Costs; inf where there is no route.
+        """
+        ...
+
+
+class DijkstraRouter:
+    """Exact routes and costs alone.
+
+    Parameters
+    ----------
+    trees : Trees
+        Searches under the solo weight; each is made once, whoever asks.
+    """
+
+    def __init__(self, trees: Trees) -> None:
+        self.trees = trees
+
+    def route(self, origin: int, destination: int) -> Edges:
+        """Return the edges of the least-cost route between two nodes.
+
+        Parameters
+        ----------
+        origin, destination : int
+            Nodes.
+
+        Returns
+        -------
+        ndarray of int, (k,)
+            Edge ids in driving order; which of equal routes, says `search.least_paths`.
+        """
+        return self.trees.path(origin, destination)
+
+    def table(self, origins: Edges, destinations: Edges) -> Floats:
+        """Return the least costs between nodes.
+
+        Parameters
+        ----------
+        origins, destinations : ndarray of int, (S,), (T,)
+            Nodes.
+
+        Returns
+        -------
+        ndarray of float, (S, T)
+            Costs; inf where there is no route.
+        """
+        return self.trees.table(origins, destinations)
 
 
 class AstarRouter:
@@ -60,16 +102,18 @@ class AstarRouter:
 
     Parameters
     ----------
-    master_cost : travel cost of the master, which scales the heuristic.
-    speed_mps : cruising speed of the estimated time to the goal.
+    net : RoadNetwork
+        The network.
+    weight : ndarray of float, (m,)
+        Cost of each edge alone.
+    master_cost : float
+        Travel cost of the master, which scales the heuristic.
+    speed_mps : float
+        Cruising speed of the estimated time to the goal [m/s].
     """
 
     def __init__(
-        self,
-        net: RoadNetwork,
-        weight: NDArray[np.float64],
-        master_cost: float,
-        speed_mps: float,
+        self, net: RoadNetwork, weight: Floats, master_cost: float, speed_mps: float
     ) -> None:
         self._net = net
         self._weight = weight
@@ -89,14 +133,48 @@ class AstarRouter:
             self._found[key] = astar(self._net, self._weight, *key, self._heuristics[goal])
         return self._found[key]
 
-    def route(self, origin: int, destination: int, backward: bool = False) -> Edges:
-        """Return the edges of the route A* finds; `backward` changes nothing here."""
-        del backward
+    def route(self, origin: int, destination: int) -> Edges:
+        """Return the edges of the route A* finds.
+
+        Parameters
+        ----------
+        origin, destination : int
+            Nodes.
+
+        Returns
+        -------
+        ndarray of int, (k,)
+            Edge ids in driving order.
+        """
         return self._search(origin, destination)[1]
 
     def cost(self, origin: int, destination: int) -> float:
-        """Return the cost of the route A* finds; inf if there is none."""
+        """Return the cost of the route A* finds.
+
+        Parameters
+        ----------
+        origin, destination : int
+            Nodes.
+
+        Returns
+        -------
+        float
+            Its cost; inf if there is none.
+        """
         return self._search(origin, destination)[0]
 
+    def table(self, origins: Edges, destinations: Edges) -> Floats:
+        """Return the costs of the routes A* finds between nodes.
 
-Router = DijkstraRouter | AstarRouter
+        Parameters
+        ----------
+        origins, destinations : ndarray of int, (S,), (T,)
+            Nodes.
+
+        Returns
+        -------
+        ndarray of float, (S, T)
+            Costs; inf where there is none.
+        """
+        rows = [[self.cost(o, d) for d in destinations] for o in origins]
+        return np.array(rows, np.float64).reshape(len(origins), len(destinations))

@@ -6,36 +6,29 @@ import csv
 import difflib
 import os
 import tomllib
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from ..costs.weights import EdgeWeights, PaperCosts, paper_weights
+from ..costs.objective import Objective
+from ..costs.presets import DEFAULT_PRESET, PRESETS
+from ..costs.weights import EdgeWeights
 from ..errors import PlatoonError, ScenarioError
 from ..network.road_network import RoadNetwork
-from ..plans.records import JointPlan
+from ..plans.plan import Plan
 from ..plans.trip import TIMES, Trip, check_one_clock
+from .ends import located
 from .joint import plan_joint
 
-__all__ = ["Scenario", "ScenarioTrip", "read_scenario"]
+__all__ = ["Scenario", "read_scenario"]
 
 NETWORK_KEYS = ("source", "classes", "country", "limiter_kmh", "infer_links")
 TOP_KEYS = ("title", "network", "case", "objective", "method", "master", "costs", "trips")
 TRIP_KEYS = ("vehicle", "origin", "destination")
 ALL_TRIP_KEYS = (*TRIP_KEYS, *TIMES)
-COST_KEYS = ("preset", *PaperCosts.__slots__)
-
-
-@dataclass(frozen=True, slots=True)
-class ScenarioTrip:
-    """A trip as written: places are names or (lon, lat), not yet nodes; times as in `Trip`."""
-
-    vehicle: str
-    origin: str | tuple[float, float]
-    destination: str | tuple[float, float]
-    times: Mapping[str, datetime] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,53 +37,130 @@ class Scenario:
 
     Attributes
     ----------
-    file : where it was read.
-    network : keyword arguments of `load_network`.
-    options : keyword arguments of `plan_joint`.
-    costs : parameters of the paper's costs.
+    file : Path
+        Where it was read.
+    title : str
+        Heads its pages.
+    network : mapping
+        Keyword arguments of `load_network`.
+    trips : tuple of Trip
+        Who goes where, places as they are written.
+    options : mapping
+        Keyword arguments of `plan_joint`.
+    costs : mapping
+        Parameters of the costs.
+    preset : str
+        Name of the costs in `PRESETS`.
     """
 
     file: Path
     title: str
     network: Mapping[str, Any]
-    trips: tuple[ScenarioTrip, ...]
+    trips: tuple[Trip, ...]
     options: Mapping[str, Any] = field(default_factory=dict)
     costs: Mapping[str, Any] = field(default_factory=dict)
+    preset: str = DEFAULT_PRESET
+
+    def objective(self) -> Objective:
+        """Return the costs the scenario asks for.
+
+        Returns
+        -------
+        Objective
+            Of the preset it names, with its parameters.
+
+        Raises
+        ------
+        ScenarioError
+            A parameter out of range, with the file.
+        """
+        with self._told():
+            return PRESETS.find(self.preset).objective(self.costs)
 
     def weights(self, net: RoadNetwork) -> EdgeWeights:
-        """Return the weights the scenario asks for."""
-        return paper_weights(net, **self.costs)
+        """Return the weights the scenario asks for.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        EdgeWeights
+            Those of its objective.
+        """
+        return self.objective().weights(net)
 
     def located(self, net: RoadNetwork) -> list[Trip]:
-        """Find the scenario's places on a network."""
-        return [
-            Trip(
-                trip.vehicle,
-                self._locate(net, trip, "origin"),
-                self._locate(net, trip, "destination"),
-                **trip.times,
-            )
-            for trip in self.trips
-        ]
+        """Return the trips with their places found on a network.
 
-    def _locate(self, net: RoadNetwork, trip: ScenarioTrip, end: Any) -> Any:
-        try:
-            return net.locate(getattr(trip, end), end)
-        except PlatoonError as error:
-            raise ScenarioError(f"{self.file}: trip {trip.vehicle!r}, {end}: {error}") from error
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
 
-    def plan(self, net: RoadNetwork) -> JointPlan:
-        """Plan the scenario on a network."""
+        Returns
+        -------
+        list of Trip
+            Places are locations.
+
+        Raises
+        ------
+        ScenarioError
+            A place that is not there, with the file.
+        """
+        with self._told(PlatoonError):
+            return [
+                replace(trip, origin=origin, destination=destination)
+                for trip, (origin, destination) in zip(
+                    self.trips, located(net, self.trips), strict=True
+                )
+            ]
+
+    def plan(self, net: RoadNetwork) -> Plan:
+        """Plan the scenario on a network.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        Plan
+            As `plan_joint` makes it.
+
+        Raises
+        ------
+        PlatoonError
+            Anything that cannot be planned.
+        """
+        trips, objective = self.located(net), self.objective()
+        with self._told():
+            return plan_joint(net, objective, trips, **self.options)
+
+    @contextmanager
+    def _told(self, kinds: type[PlatoonError] = ScenarioError) -> Iterator[None]:
+        """Put the file's name before what goes wrong inside."""
         try:
-            return plan_joint(net, self.weights(net), self.located(net), **self.options)
-        except ScenarioError as error:
-            if str(error).startswith(str(self.file)):
-                raise
+            yield
+        except kinds as error:
             raise ScenarioError(f"{self.file}: {error}") from error
 
 
 def read_scenario(path: str | os.PathLike[str]) -> Scenario:
     """Read and check a scenario.
+
+    Parameters
+    ----------
+    path : str or path
+        A TOML file.
+
+    Returns
+    -------
+    Scenario
+        What it says; places are not looked for yet.
 
     Raises
     ------
@@ -118,9 +188,11 @@ def read_scenario(path: str | os.PathLike[str]) -> Scenario:
     costs = data.get("costs", {})
     if not isinstance(costs, dict):
         raise ScenarioError(f"{file}: costs must be a table, [costs]")
-    _known(file, "[costs]", costs, COST_KEYS)
-    if costs.get("preset", "paper") != "paper":
-        raise ScenarioError(f'{file}: costs preset {costs["preset"]!r} is unknown; use "paper"')
+    try:
+        preset = PRESETS.find(costs.get("preset", DEFAULT_PRESET))
+    except ScenarioError as error:
+        raise ScenarioError(f"{file}: {error}") from error
+    _known(file, "[costs]", costs, ("preset", *preset.parameters))
     options: dict[str, Any] = {
         key: _text(file, key, data[key])
         for key in ("case", "objective", "method", "master")
@@ -133,6 +205,7 @@ def read_scenario(path: str | os.PathLike[str]) -> Scenario:
         trips=_trips(file, data.get("trips")),
         options=options,
         costs={key: value for key, value in costs.items() if key != "preset"},
+        preset=preset.name,
     )
 
 
@@ -157,7 +230,7 @@ def _beside(file: Path, source: Any) -> str:
     return str(beside) if beside.is_file() and not Path(text).is_file() else text
 
 
-def _trips(file: Path, data: Any) -> tuple[ScenarioTrip, ...]:
+def _trips(file: Path, data: Any) -> tuple[Trip, ...]:
     if isinstance(data, str):
         rows = _csv_rows(file, Path(_beside(file, data)))
     elif isinstance(data, list) and data:
@@ -166,26 +239,26 @@ def _trips(file: Path, data: Any) -> tuple[ScenarioTrip, ...]:
         raise ScenarioError(f"{file}: no trips; add [[trips]] with vehicle, origin, destination")
     trips = tuple(_trip(file, where, row) for where, row in rows)
     try:
-        # The rules of times are those of trips, whose places are not looked for yet.
-        check_one_clock([Trip(trip.vehicle, 0, 1, **trip.times) for trip in trips])
+        check_one_clock(trips)
     except ScenarioError as error:
         raise ScenarioError(f"{file}: {error}") from error
     return trips
 
 
-def _trip(file: Path, where: str, row: Any) -> ScenarioTrip:
+def _trip(file: Path, where: str, row: Any) -> Trip:
     if not isinstance(row, Mapping):
         raise ScenarioError(f"{file}: {where} must be a table with {', '.join(TRIP_KEYS)}")
     _known(file, where, row, ALL_TRIP_KEYS)
     for key in TRIP_KEYS:
         if key not in row:
             raise ScenarioError(f"{file}: {where} has no {key}")
-    return ScenarioTrip(
-        _text(file, f"{where}: vehicle", row["vehicle"]),
-        _place(file, where, "origin", row["origin"]),
-        _place(file, where, "destination", row["destination"]),
-        {key: _time(file, f"{where}: {key}", row[key]) for key in TIMES if key in row},
-    )
+    vehicle = _text(file, f"{where}: vehicle", row["vehicle"])
+    origin, destination = (_place(file, where, end, row[end]) for end in TRIP_KEYS[1:])
+    times = {key: _time(file, f"{where}: {key}", row[key]) for key in TIMES if key in row}
+    try:
+        return Trip(vehicle, origin, destination, **times)
+    except ScenarioError as error:
+        raise ScenarioError(f"{file}: {error}") from error
 
 
 def _time(file: Path, where: str, value: Any) -> datetime:

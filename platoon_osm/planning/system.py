@@ -29,9 +29,12 @@ class SystemChoice:
 
     Attributes
     ----------
-    members : the chosen points.
-    cost : of the members, less what the master saves.
-    bound : no choice costs less.
+    members : MemberPlans
+        The chosen points.
+    cost : float
+        Of the members, less what the master saves.
+    bound : float
+        No choice costs less.
     """
 
     members: MemberPlans
@@ -50,10 +53,18 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
 
     Parameters
     ----------
-    choose : plans some members, given what each gains for others on each edge (k, K) and which
-        they are (k,).
-    gain : (K,) what the master saves on each edge of its route if it has company there; 0 or more.
-    members : N.
+    choose : callable
+        Plans some members, given what each gains for others on each edge (k, K) and which they
+        are (k,).
+    gain : ndarray of float, (K,)
+        What the master saves on each edge of its route if it has company there; 0 or more.
+    members : int
+        How many there are.
+
+    Returns
+    -------
+    SystemChoice
+        The best points found, and a bound.
     """
     everyone = np.arange(members)
 
@@ -90,9 +101,17 @@ def lower_bound(relaxed: MemberPlans, price: Floats, gain: Floats) -> float:
 
     Parameters
     ----------
-    relaxed : best plans if each member gains the price on every edge it uses.
-    price : (K,) between 0 and the gain.
-    gain : (K,) what the master saves on each edge if it has company there.
+    relaxed : MemberPlans
+        Best plans if each member gains the price on every edge it uses.
+    price : ndarray of float, (K,)
+        Between 0 and the gain.
+    gain : ndarray of float, (K,)
+        What the master saves on each edge if it has company there.
+
+    Returns
+    -------
+    float
+        No choice of points costs less.
     """
     users = _covered(relaxed, len(gain)).sum(axis=0)
     # The kernel calls costs equal that differ by a hair; the bound allows for it.

@@ -2,63 +2,90 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
 
-from .records import JointPlan, PlatoonPoint
-from .stretches import PlatoonSection
+from .records import Event, Platoon, PlatoonPoint, Stretch
 
-__all__ = ["Event", "platoon_events"]
+__all__ = ["platoon_events"]
+
+PointAt = Callable[[int, str, int], PlatoonPoint | None]
+"""Returns the point where a vehicle begins ("merge") or ends ("separation") a stretch, if known."""
 
 
-@dataclass(slots=True)
-class Event:
-    """Vehicles that join, or leave, a platoon at one node.
+def platoon_events(
+    stretches: Sequence[Stretch],
+    ways: Sequence[Sequence[int]],
+    platoons: Sequence[Platoon],
+    point_at: PointAt,
+) -> tuple[Event, ...]:
+    """Return the events of a plan, platoon by platoon, each in driving order.
 
-    Attributes
+    A vehicle merges where it begins to drive with others and separates where it stops to; the
+    master, whose route the others join, does neither.
+
+    Parameters
     ----------
-    kind : "merge" or "separation".
-    point : where.
-    movers : vehicles that join or leave, positions in the plan.
-    others : vehicles already together, or that go on together.
-    edge : first edge after a merge, last before a separation; -1 if there is none.
-    together_m : for a separation, how far the first mover came in platoon [m].
+    stretches, ways, platoons : sequence
+        Fields of `Plan`.
+    point_at : callable
+        Returns the `PlatoonPoint` where a vehicle begins ("merge") or ends ("separation") a
+        stretch, given the positions of vehicle and stretch, with its `km` left at 0; None if it
+        is not known.
+
+    Returns
+    -------
+    tuple of Event
+        Those who join, or leave, the same company at the same node are one event.
     """
-
-    kind: str
-    point: PlatoonPoint
-    movers: list[int]
-    others: tuple[int, ...] = ()
-    edge: int = -1
-    together_m: float = 0.0
-    _order: tuple[int, int] = field(default=(0, 0))
-
-
-def platoon_events(plan: JointPlan, sections: Sequence[PlatoonSection]) -> list[Event]:
-    """Return the events of a plan, platoon by platoon, each in driving order."""
+    masters = {platoon.master for platoon in platoons}
     found: dict[tuple[str, int, tuple[int, ...]], Event] = {}
-    for index, vehicle in enumerate(plan.vehicles):
-        own = [section for section in sections if index in section.vehicles]
-        for kind, point in (("merge", vehicle.merge), ("separation", vehicle.separation)):
-            if point is None:
+    for index, way in enumerate(ways):
+        if index in masters:
+            continue
+        for kind, stretch in _changes(stretches, way):
+            if (point := point_at(index, kind, stretch)) is None:
                 continue
-            section = (own[0] if kind == "merge" else own[-1]) if own else None
-            company = section.vehicles if section else ()
-            event = found.setdefault((kind, point.node, company), Event(kind, point, []))
-            event.movers.append(index)
-            event.others = tuple(i for i in company if i not in event.movers)
-            if len(event.movers) == 1:
-                event.together_m = vehicle.platoon_m
-            if section:
-                event.edge = section.edges[0 if kind == "merge" else -1]
-                event._order = _driving_order(plan, event)
-    return sorted(found.values(), key=lambda event: (*event._order, event.kind, event.movers))
+            company = stretches[stretch].company
+            key = (kind, point.node, company)
+            movers = (*(found[key].movers if key in found else ()), index)
+            found[key] = Event(
+                kind,
+                found[key].point if key in found else point,
+                movers,
+                tuple(other for other in company if other not in movers),
+                stretch,
+            )
+    order = {event: _driving_order(event, stretches, ways) for event in found.values()}
+    return tuple(sorted(found.values(), key=lambda one: (*order[one], one.kind, one.movers)))
 
 
-def _driving_order(plan: JointPlan, event: Event) -> tuple[int, int]:
+def _changes(stretches: Sequence[Stretch], way: Sequence[int]) -> list[tuple[str, int]]:
+    """Return where a vehicle begins and ends to drive in company."""
+    found: list[tuple[str, int]] = []
+    together = False
+    for place, stretch in enumerate(way):
+        now = stretches[stretch].together
+        if now and not together:
+            found.append(("merge", stretch))
+        if together and not now:
+            found.append(("separation", way[place - 1]))
+        together = now
+    if together:
+        found.append(("separation", way[-1]))
+    return found
+
+
+def _driving_order(
+    event: Event, stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]
+) -> tuple[int, int]:
     """Return the vehicle that drives longest with them, and where on its way the event lies."""
-    company = {*event.movers, *event.others}
-    guide = max(company, key=lambda index: (plan.vehicles[index].platoon_m, -index))
-    edges = plan.vehicles[guide].edges
-    place = edges.index(event.edge) if event.edge in edges else len(edges)
+    guide = max(
+        (*event.movers, *event.others),
+        key=lambda index: (
+            sum(stretches[k].length_m for k in ways[index] if stretches[k].together),
+            -index,
+        ),
+    )
+    way = list(ways[guide])
+    place = way.index(event.stretch) if event.stretch in way else len(way)
     return guide, 2 * place + (event.kind == "separation")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from .clock import MENTIONED_S, duration
-from .records import JointPlan, VehiclePlan
+from .plan import Plan
 from .timetable import Timetable, VehicleTimes
+from .vehicles import VehiclePlan
 
 __all__ = ["kilometre_equivalents", "summary"]
 
@@ -16,7 +17,7 @@ CASE_TITLES = {
 }
 
 
-def summary(plan: JointPlan) -> str:
+def summary(plan: Plan) -> str:
     """Return the plan as text: one row a vehicle, then totals, points and what is proved."""
     header: tuple[str, ...] = (
         "vehicle", "from", "to", "role", "alone", "joint", "saving", "platoon",
@@ -61,12 +62,12 @@ def summary(plan: JointPlan) -> str:
     return "\n".join(lines)
 
 
-def kilometre_equivalents(plan: JointPlan, cost: float) -> str:
+def kilometre_equivalents(plan: Plan, cost: float) -> str:
     """Return a cost as people read it: metre-equivalents as km, money with two digits."""
     return f"{cost / 1000:,.0f}" if plan.unit == "m" else f"{cost:,.2f}"
 
 
-def _row(plan: JointPlan, vehicle: VehiclePlan) -> tuple[str, ...]:
+def _row(plan: Plan, vehicle: VehiclePlan) -> tuple[str, ...]:
     return (
         vehicle.vehicle, vehicle.origin.name, vehicle.destination.name, vehicle.role,
         kilometre_equivalents(plan, vehicle.solo_cost),
@@ -102,7 +103,7 @@ def _events(
     return [f"{vehicle.vehicle} stays alone: {vehicle.reason}"] if vehicle.role == "alone" else []
 
 
-def _proof(plan: JointPlan) -> str:
+def _proof(plan: Plan) -> str:
     kind = plan.proof.get("kind")
     conditions = "; ".join(plan.proof.get("conditions", ()))
     if kind == "exact":

@@ -24,12 +24,16 @@ class VehicleTimes:
 
     Attributes
     ----------
-    vehicle : its name.
-    departure_s : when it leaves its origin.
-    legs : start and end of each leg of its joint route. Between the end of one and the start of
-        the next it waits for others; before the first it waits if it has to leave its origin but
-        merges right there.
-    earliest_departure_s, latest_departure_s, latest_arrival_s : what its trip asked for, or None.
+    vehicle : str
+        Its name.
+    departure_s : float
+        When it leaves its origin.
+    legs : tuple of tuple of float
+        Start and end of each stretch of its way. Between the end of one and the start of the next
+        it waits for others; before the first it waits if it has to leave its origin but merges
+        right there.
+    earliest_departure_s, latest_departure_s, latest_arrival_s : float or None
+        What its trip asked for.
     """
 
     vehicle: str
@@ -87,10 +91,13 @@ class Timetable:
 
     Attributes
     ----------
-    start : ISO 8601 moment from which all seconds count, with an offset from UTC or without a
-        zone, as the trips were.
-    feasible : whether all arrive in time.
-    vehicles : in the order of the plan's.
+    start : str
+        ISO 8601 moment from which all seconds count, with an offset from UTC or without a zone, as
+        the trips were.
+    feasible : bool
+        Whether all arrive in time.
+    vehicles : tuple of VehicleTimes
+        In the order of the plan's.
     """
 
     start: str
@@ -120,7 +127,23 @@ class Timetable:
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Timetable:
-        """Rebuild a timetable from plain JSON types."""
+        """Rebuild a timetable from plain JSON types.
+
+        Parameters
+        ----------
+        data : mapping
+            As `dataclasses.asdict` gives it.
+
+        Returns
+        -------
+        Timetable
+            The same.
+
+        Raises
+        ------
+        ScenarioError
+            Times that cannot be.
+        """
         vehicles = (
             VehicleTimes(**{**item, "legs": tuple((start, end) for start, end in item["legs"])})
             for item in data["vehicles"]

@@ -9,10 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..network.location import Location
 
-__all__ = ["TIMES", "Trip", "check_one_clock"]
+__all__ = ["TIMES", "Place", "Trip", "check_one_clock"]
+
+Place = str | tuple[float, float] | int | Location
+"""A name, (lon, lat) in degrees, a node, or what `net.locate` found."""
 
 FIRST_YEAR, LAST_YEAR = 1900, 9000
 """Beyond these, sums of times may run out of the calendar."""
@@ -28,31 +31,34 @@ class Trip:
 
     Attributes
     ----------
-    vehicle : its name, shown in every table and map.
-    origin, destination : places found by `net.locate`, or node positions.
-    earliest_departure, latest_departure, latest_arrival : when, each may be None. In one plan all
-        have a time zone or none has.
+    vehicle : str
+        Its name, shown in every table and map.
+    origin, destination : str or tuple of float or int or Location
+        Places: a name, (lon, lat) in degrees, a node position, or what `net.locate` found. Names
+        and coordinates are looked for on the network of the plan.
+    earliest_departure, latest_departure, latest_arrival : datetime or None
+        When. In one plan all have a time zone or none has.
+
+    Raises
+    ------
+    ScenarioError
+        A name, place or time that is none, or times that contradict each other.
     """
 
     vehicle: str
-    origin: Location | int
-    destination: Location | int
+    origin: Place
+    destination: Place
     earliest_departure: datetime | None = None
     latest_departure: datetime | None = None
     latest_arrival: datetime | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.vehicle, str) or not self.vehicle.strip():
-            raise ScenarioError(f"trip: vehicle name {self.vehicle!r} must be a non-empty text")
+            raise ScenarioError(
+                f"trip: vehicle name {brief(self.vehicle)} must be a non-empty text"
+            )
         for end in ("origin", "destination"):
-            value: Any = getattr(self, end)
-            if isinstance(value, np.integer):
-                value = int(value)
-                object.__setattr__(self, end, value)
-            if isinstance(value, bool) or not isinstance(value, Location | int):
-                raise ScenarioError(
-                    f"trip {self.vehicle!r}: {end} {value!r} must be a node or come from net.locate"
-                )
+            object.__setattr__(self, end, _place(self.vehicle, end, getattr(self, end)))
         self._check_times()
 
     @property
@@ -65,8 +71,11 @@ class Trip:
         for name, at in self.times.items():
             if not isinstance(at, datetime):
                 raise ScenarioError(
-                    f"{where}: {name} {at!r} must be a day and a time, such as 2026-03-02T06:00:00"
+                    f"{where}: {name} {brief(at)} must be a day and a time, such as "
+                    "2026-03-02T06:00:00"
                 )
+            if at != at:  # such as pandas' NaT, which counts as a datetime
+                raise ScenarioError(f"{where}: {name} is {at}, no moment; give one or None")
             if not FIRST_YEAR <= at.year <= LAST_YEAR:
                 raise ScenarioError(
                     f"{where}: {name} is in the year {at.year}; give one from {FIRST_YEAR} to "
@@ -84,8 +93,38 @@ class Trip:
                 )
 
 
+def _place(vehicle: str, end: str, value: Any) -> Place:
+    """Return a place as plain Python types."""
+    if isinstance(value, Location) or (isinstance(value, str) and value.strip()):
+        return value
+    if isinstance(value, int | np.integer) and not isinstance(value, bool):
+        return int(value)
+    pair = isinstance(value, Sequence | np.ndarray) and not isinstance(value, str | bytes)
+    if pair and len(value) == 2 and all(_is_number(part) for part in value):
+        return float(value[0]), float(value[1])
+    raise ScenarioError(
+        f"trip {vehicle!r}: {end} {brief(value)} must be a name, a (lon, lat) pair in degrees, "
+        "a node, or come from net.locate"
+    )
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+
+
 def check_one_clock(trips: Sequence[Trip]) -> None:
-    """Raise `ScenarioError` if some times of the trips have a zone and others have none."""
+    """Check that all times of some trips have a zone, or none has.
+
+    Parameters
+    ----------
+    trips : sequence of Trip
+        Of one plan.
+
+    Raises
+    ------
+    ScenarioError
+        Some have and others have not.
+    """
     found: dict[bool, str] = {}
     for trip in trips:
         for name, at in trip.times.items():

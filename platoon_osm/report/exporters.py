@@ -18,7 +18,7 @@ from ..registry import Registry
 
 if TYPE_CHECKING:
     from ..network.road_network import RoadNetwork
-    from ..plans.records import JointPlan
+    from ..plans.plan import Plan
 
 __all__ = ["EXPORTERS", "Exporter", "Writes"]
 
@@ -29,13 +29,13 @@ class Writes(Protocol):
     """A function that writes a plan somewhere."""
 
     def __call__(
-        self, plan: JointPlan, net: RoadNetwork, path: AnyPath, /, *, title: str | None = None
+        self, plan: Plan, net: RoadNetwork, path: AnyPath, /, *, title: str | None = None
     ) -> object:
         """Write a plan; what it returns is not looked at.
 
         Parameters
         ----------
-        plan : JointPlan
+        plan : Plan
             What is written.
         net : RoadNetwork
             The network it was made on.
@@ -77,45 +77,45 @@ class Exporter:
     is_folder: bool = False
 
 
-def _html(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _html(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .pages.page import write_html
 
     write_html(plan, net, path, title=title)
 
 
-def _gpkg(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _gpkg(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .exports.gis import write_geopackage
 
     del title  # it has no heading
     write_geopackage(plan, net, path)
 
 
-def _json(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _json(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     del net, title  # a plan names its network itself
     plan.write_json(path)
 
 
-def _csv(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _csv(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .exports.tracks import write_csv
 
     del title
     write_csv(plan, net, path)
 
 
-def _flows(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _flows(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .pages.flows import write_flows
 
     write_flows(plan, net, path, title=title)
 
 
-def _gpx(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _gpx(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .exports.tracks import write_gpx
 
     del title
     write_gpx(plan, net, path)
 
 
-def _figures(plan: JointPlan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _figures(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .charts.figures import write_figures
 
     del title

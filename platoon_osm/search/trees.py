@@ -129,6 +129,31 @@ class Trees:
         """
         return self.costs(nodes, forward)
 
+    def path(self, source: int, target: int) -> Longs:
+        """Return the edges of the least-cost path between two nodes.
+
+        Parameters
+        ----------
+        source : int
+            Node where it starts.
+        target : int
+            Node where it ends.
+
+        Returns
+        -------
+        ndarray of int, (k,)
+            Edge ids in driving order; from whichever search is known, for all find the same path.
+
+        Raises
+        ------
+        NoRouteError
+            There is no way.
+        """
+        start, end = (checked_node(self.engine.net, node) for node in (source, target))
+        if (start, True) not in self._known and (end, False) in self._known:
+            return self._known[end, False].path(start)
+        return self.tree(start).path(end)
+
     def table(self, sources: ArrayLike, targets: ArrayLike) -> Floats:
         """Return least costs between sources and targets, from known searches where there are.
 

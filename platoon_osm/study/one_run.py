@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..costs.fatigue import fatigue_heuristic
 from ..network.geodesy import distance_m
+from ..planning.master import longest_route
 from ..planning.routers import AstarRouter, Method
 from ..search.dijkstra import ReferenceEngine
 from .grid import best_on_grid, shared_metres
@@ -99,8 +100,7 @@ def plan_draw(study: Study, factors: Floats, draw: Draw) -> Arrays:
     forward = engine.distances(draw.origins)
     vehicles = len(draw.origins)
     optimum = forward[np.arange(vehicles), draw.destinations]
-    # Rounded as in planning/joint.py, so that both choose the same master.
-    master = int(np.argmax(np.round(optimum / study.costs.solo_factor(), 3)))
+    master = longest_route(optimum / study.costs.solo_factor())
     shape = (len(study.methods), len(factors), vehicles, factors.shape[1])
     out: Arrays = {
         "master": np.array(master, np.int32),

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._version import __version__
-from ..costs.weights import Mixing, PaperCosts
+from ..costs.paper import Mixing, PaperCosts
 from ..errors import ScenarioError
 from ..planning.cases import Case
 from ..planning.routers import Method

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from platoon_osm.costs.weights import EdgeWeights, PaperCosts, paper_weights
+from platoon_osm.costs.paper import PaperCosts, paper_weights
+from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 

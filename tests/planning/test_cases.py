@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 from oracles import all_pairs, best_choice, member_choices
 from random_networks import network, road_networks, routes, tied_networks
 
-from platoon_osm.costs.weights import EdgeWeights, paper_weights
+from platoon_osm.costs.paper import paper_weights
+from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.planning.cases import (
     MemberPlans,

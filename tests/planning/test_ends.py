@@ -6,13 +6,14 @@ from hypothesis import strategies as st
 from oracles import all_pairs
 from random_networks import network, road_networks
 
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import NoRouteError, ScenarioError
 from platoon_osm.network.location import Location
 from platoon_osm.planning.ends import ACCESS_DETOUR, resolve_trips
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.trip import Trip
 from platoon_osm.search.dijkstra import ReferenceEngine
+from platoon_osm.search.trees import Trees
 
 
 def place(name, *candidates):
@@ -23,7 +24,7 @@ def place(name, *candidates):
 
 def resolve(net, *trips):
     weights = paper_weights(net)
-    return resolve_trips(net, weights, ReferenceEngine(net, weights.solo), trips)
+    return resolve_trips(net, weights, Trees(ReferenceEngine(net, weights.solo)), trips)
 
 
 @pytest.fixture
@@ -116,7 +117,10 @@ def test_no_way_names_both_ends_and_the_network(two_carriageways):
 
 def test_names_must_differ(two_carriageways):
     with pytest.raises(ScenarioError, match="vehicle 'B' has 2 trips; names must differ"):
-        resolve(two_carriageways, Trip("A", 0, 1), Trip("B", 0, 1), Trip("B", 0, 2))
+        plan_joint(
+            two_carriageways, paper_weights(two_carriageways),
+            [Trip("A", 0, 1), Trip("B", 0, 1), Trip("B", 0, 2)],
+        )  # fmt: skip
 
 
 def test_one_spot_is_one_place_even_if_its_ends_snap_to_two_nodes(two_carriageways):

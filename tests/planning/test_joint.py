@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from oracles import all_pairs
 from random_networks import network, problems, road_networks
 
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import NetworkError, NoRouteError, PlatoonError, ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.joint import plan_joint
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.plans.trip import Trip
 
 CASES = ("A", "B", "C")

@@ -7,22 +7,30 @@ from oracles import all_pairs
 from random_networks import road_networks
 
 from platoon_osm.costs.fatigue import fatigue_heuristic
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.network.geodesy import distance_m
 from platoon_osm.planning.routers import AstarRouter, DijkstraRouter
 from platoon_osm.search.dijkstra import ReferenceEngine, astar
+from platoon_osm.search.trees import Trees
 
 
 @settings(max_examples=25, deadline=None)
 @given(road_networks())
 def test_dijkstra_both_ways(net):
     weight = paper_weights(net).solo
-    router, least = DijkstraRouter(ReferenceEngine(net, weight)), all_pairs(net, weight)
-    for origin in range(net.n):
-        for destination in range(net.n):
-            assert router.cost(origin, destination) == pytest.approx(least[origin][destination])
-            for backward in (False, True):
-                route = router.route(origin, destination, backward)
+    engine, least = ReferenceEngine(net, weight), all_pairs(net, weight)
+    everywhere = np.arange(net.n)
+    for backward in (False, True):
+        # Known searches to the destination give the same routes as those from the origin.
+        trees = Trees(engine)
+        if backward:
+            trees.trees(everywhere, forward=False)
+        router = DijkstraRouter(trees)
+        table = router.table(everywhere, everywhere)
+        for origin in range(net.n):
+            for destination in range(net.n):
+                assert table[origin, destination] == pytest.approx(least[origin][destination])
+                route = router.route(origin, destination)
                 assert float(weight[route].sum()) == pytest.approx(least[origin][destination])
                 if origin != destination:
                     assert net.path_nodes(route)[[0, -1]].tolist() == [origin, destination]

@@ -7,7 +7,8 @@ import pytest
 
 import platoon_osm as po
 from platoon_osm.errors import PlatoonError, ScenarioError
-from platoon_osm.planning.scenario import ScenarioTrip, read_scenario
+from platoon_osm.planning.scenario import read_scenario
+from platoon_osm.plans.trip import Trip
 
 GOOD = """
 title = "Two trucks"
@@ -46,8 +47,8 @@ def test_all_there_is(tmp_path):
     assert scenario.options == {"case": "C", "objective": "system", "master": "A"}
     assert scenario.costs == {"tau": 0.5, "mixing": "gain"}
     assert scenario.trips == (
-        ScenarioTrip("A", "Torino", (13.77, 45.0)),
-        ScenarioTrip("B", "Genova", "Belluno"),
+        Trip("A", "Torino", (13.77, 45.0)),
+        Trip("B", "Genova", "Belluno"),
     )
 
 
@@ -79,7 +80,7 @@ def test_a_map_beside_the_scenario_is_found(tmp_path):
         ("case =", "cases =", "scenario has no key 'cases'; did you mean 'case'?"),
         ("case =", "colour =", "scenario has no key 'colour'; known are title, network"),
         ("tau =", "tua =", r"\[costs\] has no key 'tua'; did you mean 'tau'?"),
-        ("[costs]", '[costs]\npreset = "money"', "costs preset 'money' is unknown; use \"paper\""),
+        ("[costs]", '[costs]\npreset = "money"', "costs preset .money. is unknown; use one"),
         ("[costs]", "[cost]", "scenario has no key 'cost'; did you mean 'costs'?"),
         ("[costs]\ntau = 0.5\nmixing = \"gain\"", "costs = 3", "costs must be a table"),
         ('network = "italy-motorways"', "", "network is missing; write network = "),
@@ -153,8 +154,8 @@ def read_csv(folder, table, encoding="utf-8"):
 def test_trips_from_csv_beside_the_scenario(tmp_path):
     table = 'vehicle,origin,destination\n12,7.69 45.07,"Monza"\nB 2,Sesto San Giovanni,9.2 45\n'
     assert read_csv(tmp_path, table) == (
-        ScenarioTrip("12", (7.69, 45.07), "Monza"),
-        ScenarioTrip("B 2", "Sesto San Giovanni", (9.2, 45.0)),
+        Trip("12", (7.69, 45.07), "Monza"),
+        Trip("B 2", "Sesto San Giovanni", (9.2, 45.0)),
     )
 
 
@@ -165,7 +166,7 @@ def test_a_vehicle_named_by_two_numbers_is_no_place(tmp_path):
 
 def test_csv_as_spreadsheets_save_it(tmp_path):
     (trip,) = read_csv(tmp_path, "vehicle,origin,destination\r\nA,Torino,Forlì\r\n", "utf-8-sig")
-    assert trip == ScenarioTrip("A", "Torino", "Forlì")
+    assert trip == Trip("A", "Torino", "Forlì")
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from random_networks import network
 
-from platoon_osm.costs.weights import EdgeWeights, paper_weights
+from platoon_osm.costs.paper import paper_weights
+from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.trip import Trip
 

@@ -3,6 +3,7 @@
 from datetime import UTC, date, datetime, time
 
 import numpy as np
+import pandas
 import pytest
 
 from platoon_osm.errors import ScenarioError
@@ -21,9 +22,16 @@ def test_a_vehicle_needs_a_name(name):
         Trip(name, 0, 1)
 
 
-@pytest.mark.parametrize("place", ["Torino", (7.7, 45.1), 1.0, None, True])
+def test_places_stay_as_they_are_written():
+    trip = Trip("A", "Torino", np.array([7.7, 45.1]))
+    assert (trip.origin, trip.destination) == ("Torino", (7.7, 45.1))
+
+
+@pytest.mark.parametrize(
+    "place", ["", "  ", (7.7,), (7.7, 45.1, 0), ("7.7", "45.1"), b"Torino", 1.0, None, True, {}]
+)
 @pytest.mark.parametrize("end", ["origin", "destination"])
-def test_a_place_must_be_located_first(end, place):
+def test_anything_else_is_no_place(end, place):
     ends = {"origin": 0, "destination": 1, end: place}
     with pytest.raises(ScenarioError, match=f"^trip 'A': {end} .* come from net.locate$"):
         Trip("A", **ends)
@@ -40,6 +48,13 @@ def test_times_by_name():
 
 def test_a_departure_may_be_fixed():
     assert Trip("A", 0, 1, SIX, SIX).latest_departure == SIX
+
+
+def test_no_moment_is_no_time():
+    with pytest.raises(ScenarioError, match=r"^trip 'A': latest_arrival is NaT"):
+        Trip("A", 0, 1, latest_arrival=pandas.NaT)
+    with pytest.raises(ScenarioError, match="must be a day and a time"):
+        Trip("A", 0, 1, latest_arrival=np.datetime64("NaT"))
 
 
 @pytest.mark.parametrize("value", ["06:00", 6, date(2026, 3, 2), time(6), 0.0, ""])

@@ -10,7 +10,7 @@ import pytest
 from po_valley import THREE, fifty, make_plan, po_valley, two_platoons
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 
 CHROMIUM = "/usr/bin/chromium"
 

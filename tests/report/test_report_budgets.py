@@ -15,7 +15,7 @@ import pytest
 
 import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.markup.fragments import asset, compact_asset
 from platoon_osm.report.pages.page_parts import SCRIPTS

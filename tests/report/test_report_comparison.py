@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 from po_valley import THREE, make_plan
 
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import comparison_document, report_document, write_comparison
 
 Visit = Callable[..., Any]

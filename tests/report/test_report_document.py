@@ -6,14 +6,14 @@ import json
 from dataclasses import replace
 
 import pytest
+from plans_by_legs import silent_about_alone, with_vehicles
 from po_valley import JUNCTIONS, THREE, make_plan, po_valley
 
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
-from platoon_osm.plans.stretches import platoon_sections
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report.document.document import DOCUMENT_VERSION, report_document
 from platoon_osm.report.document.wording import joined
 from platoon_osm.report.drawing.basemap import ROUTE_STEPS
@@ -33,21 +33,9 @@ def test_document_of_a_plan_read_back_is_the_same(plan: JointPlan, net: RoadNetw
     assert report_document(again, net) == report_document(plan, net)
 
 
-def test_sections_change_where_company_does(plan: JointPlan) -> None:
-    assert [part.vehicles for part in platoon_sections(plan)] == [(0, 2), (0, 1, 2), (0, 1)]
-
-
-def test_a_leg_that_names_all_partners_is_cut_by_who_is_there(
-    plan: JointPlan, net: RoadNetwork
-) -> None:
-    """A planner may write one platoon leg for the master, naming everyone it ever meets."""
-    master = plan.vehicles[0]
-    together = [leg for leg in master.legs if leg.role == "platoon"]
-    edges = tuple(edge for leg in together for edge in leg.edges)
-    one = replace(together[0], edges=edges, partners=("B", "C"))
-    legs = (master.legs[0], one, master.legs[-1])
-    coarse = replace(plan, vehicles=(replace(master, legs=legs), *plan.vehicles[1:]))
-    assert platoon_sections(coarse) == platoon_sections(plan)
+def test_sections_change_where_company_does(plan: JointPlan, net: RoadNetwork) -> None:
+    sections = report_document(plan, net)["platoons"]
+    assert [section["vehicles"] for section in sections] == [[0, 2], [0, 1, 2], [0, 1]]
 
 
 def test_road_in_platoon_counts_once(plan: JointPlan, net: RoadNetwork) -> None:
@@ -104,13 +92,8 @@ def test_a_pair_without_master_meets_and_parts(plan: JointPlan, net: RoadNetwork
     """Case D: both are members, and both have the same two points."""
     pair = make_plan(net, THREE[:2])
     master, member = pair.vehicles
-    both = replace(
-        pair,
-        vehicles=(
-            replace(master, role="member", merge=member.merge, separation=member.separation),
-            member,
-        ),
-    )
+    other = replace(master, role="member", merge=member.merge, separation=member.separation)
+    both = with_vehicles(pair, (other, member))
     events = report_document(both, net)["events"]
     assert [event["text"] for event in events] == ["A and B meet", "A and B part"]
 
@@ -139,19 +122,28 @@ def test_inferred_road_is_told(plan: JointPlan, net: RoadNetwork) -> None:
 
 
 def test_other_costs_leave_out_what_is_not_known(plan: JointPlan, net: RoadNetwork) -> None:
-    euro = replace(plan, unit="EUR", params={"preset": "money"})
+    euro = replace(silent_about_alone(plan), unit="EUR", params={"preset": "money"})
     document = report_document(euro, net)
     assert document["vehicles"][0]["detour"] is None
     assert document["platoons"][0]["costs"][0]["cost_alone"] is None
     assert document["cost_unit"]["label"] == "\u20ac"
 
 
+def test_other_costs_are_told_where_the_plan_holds_them(plan: JointPlan, net: RoadNetwork) -> None:
+    euro = replace(plan, unit="EUR", params={"preset": "money"})
+    document, before = report_document(euro, net), report_document(plan, net)
+    for own, was in zip(document["vehicles"], before["vehicles"], strict=True):
+        assert (own["detour"], own["platoon_gain"]) == (was["detour"], was["platoon_gain"])
+
+
 def test_weights_are_believed_only_if_they_fit(plan: JointPlan, net: RoadNetwork) -> None:
     right = paper_weights(net, tau=1.0, xi=0.18, speed_kmh=80.0)
-    told = report_document(replace(plan, params={}), net, weights=right)
-    assert told["vehicles"] == report_document(plan, net)["vehicles"]
-    half = replace(plan, params={**plan.params, "rest_s": 0.0})
-    assert report_document(half, net)["vehicles"][0]["detour"] is None
+    silent = replace(silent_about_alone(plan), params={})
+    told = report_document(silent, net, weights=right)
+    for own, was in zip(told["vehicles"], report_document(plan, net)["vehicles"], strict=True):
+        assert own["detour"] == pytest.approx(was["detour"])
+        assert own["platoon_gain"] == pytest.approx(was["platoon_gain"])
+    assert report_document(silent, net)["vehicles"][0]["detour"] is None
     with pytest.raises(ScenarioError, match="do not give the costs"):
         report_document(plan, net, weights=paper_weights(net, rest_s=0.0))
 
@@ -165,18 +157,18 @@ def test_another_network_is_refused(plan: JointPlan) -> None:
 
 
 def test_two_of_one_name_are_refused(plan: JointPlan, net: RoadNetwork) -> None:
-    first = plan.vehicles[0]
+    lonely = replace(plan.vehicles[0], legs=(plan.vehicles[0].alone,))
     with pytest.raises(ScenarioError, match="two vehicles are named 'A'"):
-        report_document(replace(plan, vehicles=(first, first)), net)
+        report_document(with_vehicles(plan, (lonely, lonely)), net)
     with pytest.raises(ScenarioError, match="no vehicles"):
-        report_document(replace(plan, vehicles=()), net)
+        report_document(with_vehicles(plan, ()), net)
 
 
 def test_edges_outside_the_network_are_refused(plan: JointPlan, net: RoadNetwork) -> None:
     first = plan.vehicles[0]
-    stray = replace(first, alone=replace(first.alone, edges=(net.m,)))
+    stray = replace(first, legs=(first.alone,), alone=replace(first.alone, edges=(net.m,)))
     with pytest.raises(ScenarioError, match=f"edge {net.m}"):
-        report_document(replace(plan, vehicles=(stray,)), net)
+        report_document(with_vehicles(plan, (stray,)), net)
 
 
 @pytest.mark.parametrize(

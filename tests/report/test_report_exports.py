@@ -22,7 +22,7 @@ from platoon_osm.errors import ScenarioError
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.offers import offered
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import explore, write_csv, write_figures, write_gpx
 from platoon_osm.report.markup.shown_text import shown
 
@@ -196,7 +196,7 @@ def test_hostile_names_in_a_notebook_stay_names(start: int) -> None:
 
 def test_a_plan_alone_loads_no_report() -> None:
     code = (
-        "import sys, platoon_osm; from platoon_osm.plans.records import JointPlan\n"
+        "import sys, platoon_osm; from platoon_osm.plans.plan import JointPlan\n"
         "assert JointPlan.explore\n"
         "print([m for m in sys.modules if m.startswith('platoon_osm.report')])"
     )

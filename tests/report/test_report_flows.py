@@ -11,7 +11,7 @@ import pytest
 from po_valley import make_plan
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import flow_document, write_flows
 from platoon_osm.report.pages.flows import CLASSES, flow_class
 

@@ -13,7 +13,7 @@ from po_valley import THREE, make_plan, po_valley
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import to_geodataframe, write_geopackage
 from platoon_osm.report.markup.shown_text import shown
 

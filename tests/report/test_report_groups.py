@@ -13,10 +13,10 @@ from po_valley import fifty, make_plan
 
 import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
-from platoon_osm.plans.stretches import platoon_groups, platoon_parts, platoon_sections
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import report_document, write_html
 from platoon_osm.report.document.document import document_of
+from platoon_osm.report.document.findings import find
 from platoon_osm.report.maps.lanes import bands_width
 from platoon_osm.report.markup.fragments import fill
 from platoon_osm.report.pages.panel import page_body
@@ -33,8 +33,8 @@ def two_file(two: JointPlan, net: RoadNetwork, tmp_path_factory: pytest.TempPath
     return path
 
 
-def test_groups_are_vehicles_linked_by_company(two: JointPlan) -> None:
-    assert platoon_groups(platoon_sections(two), len(two.vehicles)) == [(0, 1, 2), (3, 4, 5)]
+def test_groups_are_vehicles_linked_by_company(two: JointPlan, net: RoadNetwork) -> None:
+    assert find(two, net).groups == ((0, 1, 2), (3, 4, 5))
 
 
 def test_groups_add_up(two: JointPlan, net: RoadNetwork) -> None:
@@ -50,11 +50,11 @@ def test_groups_add_up(two: JointPlan, net: RoadNetwork) -> None:
     assert document["subtitle"].startswith("7 vehicles, 2 platoons, ")
 
 
-def test_bands_on_one_road_lie_side_by_side(two: JointPlan) -> None:
+def test_bands_on_one_road_lie_side_by_side(two: JointPlan, net: RoadNetwork) -> None:
     """On every edge the bands' lanes are those of all sections there, each once."""
     lanes: dict[int, list[tuple[int, tuple[int, ...]]]] = {}
-    sections = platoon_sections(two)
-    for section, parts in zip(sections, platoon_parts(sections), strict=True):
+    found = find(two, net)
+    for section, parts in zip(found.platoons, found.platoon_parts, strict=True):
         assert tuple(edge for part in parts for edge in part.edges) == section.edges
         for part in parts:
             assert part.beside[part.place] == len(section.vehicles)

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from plans_by_legs import with_vehicles
 
 from platoon_osm.costs.fatigue import FITTED_RANGE_S, FatigueModel
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
-from platoon_osm.plans.stretches import platoon_groups, platoon_sections
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import report_document, write_html
 from platoon_osm.report.document.driver_fatigue import fatigue_along
-from platoon_osm.report.document.journey import journey, ways
+from platoon_osm.report.document.findings import find
 
 Visit = Callable[..., Any]
 
@@ -35,11 +35,11 @@ def test_vehicles_are_level_where_they_drive_together(
     which: str, net: RoadNetwork, request: pytest.FixtureRequest
 ) -> None:
     plan: JointPlan = request.getfixturevalue(which)
-    sections = platoon_sections(plan)
-    scale = journey(plan, net, sections, platoon_groups(sections, len(plan.vehicles)))
+    found = find(plan, net)
+    scale = found.scale
     assert scale is not None
     assert min(scale.starts_m) == 0
-    for section in sections:
+    for section in found.platoons:
         levels = []
         for index in section.vehicles:
             edges = plan.vehicles[index].edges
@@ -60,19 +60,19 @@ def test_ways_hold_every_metre(
             for kind, at in vehicle["way"]
         ]
         assert sum(piece["length_m"] for piece in pieces) == pytest.approx(vehicle["length_m"])
-    assert [kind for kind, _ in ways(plan, platoon_sections(plan))[0]].count("solo") <= 2
+    assert [kind for kind, _ in find(plan, net).ways[0]].count("solo") <= 2
 
 
 def test_no_scale_where_ways_between_two_meetings_differ(plan: JointPlan, net: RoadNetwork) -> None:
     """Were B's two sections apart by another length than A's, no scale would be true of both."""
-    sections = platoon_sections(plan)
     member = plan.vehicles[1]
-    detour = replace(member.legs[0], edges=member.legs[0].edges[:3])
+    edges = member.legs[0].edges[:3]
+    length_m = float(net.length_m[list(edges)].sum())
+    detour = replace(member.legs[0], edges=edges, length_m=length_m)
     first, second = (leg for leg in member.legs if leg.role == "platoon")
     broken = replace(member, legs=(first, detour, second))
-    other = replace(plan, vehicles=(plan.vehicles[0], broken, *plan.vehicles[2:]))
-    groups = platoon_groups(sections, len(plan.vehicles))
-    assert journey(other, net, sections, groups) is None
+    other = with_vehicles(plan, (plan.vehicles[0], broken, *plan.vehicles[2:]))
+    assert find(other, net).scale is None
 
 
 def test_no_times_are_invented(page_file: Path) -> None:

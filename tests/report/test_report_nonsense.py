@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+from plans_by_legs import with_vehicles
 
 from platoon_osm import PlatoonError, report
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report.pages.notebook import plan_table
 
 Call = Callable[..., Any]
@@ -77,7 +77,7 @@ def test_what_is_no_plan(
     assert "swapped" in refused(call, net, plan, *at)
     assert "no plan" in refused(call, "plan", net, *at)
     assert "no plan" in refused(call, [plan], net, *at)
-    assert "no vehicles" in refused(call, replace(plan, vehicles=()), net, *at)
+    assert "no vehicles" in refused(call, with_vehicles(plan, ()), net, *at)
     assert list(tmp_path.iterdir()) == []
 
 

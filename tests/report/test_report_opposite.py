@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from plans_by_legs import with_vehicles
 from po_valley import THREE, Journey, make_plan
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import report_document, write_html
 from platoon_osm.report.document.document import document_of
 from platoon_osm.report.document.model_map import LanePart
@@ -39,7 +40,7 @@ WEST: list[Journey] = [
 def both_ways(net: RoadNetwork) -> JointPlan:
     """Three vehicles eastward on a motorway, three westward, each a platoon."""
     east, west = make_plan(net, THREE), make_plan(net, WEST)
-    return replace(east, vehicles=(*east.vehicles, *west.vehicles))
+    return with_vehicles(east, (*east.vehicles, *west.vehicles))
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from po_valley import THREE, make_plan
 
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import plan_map, write_html
 from platoon_osm.report.markup.leaflet import SHA256
 

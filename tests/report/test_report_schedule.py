@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from hostile_names import HOSTILE
+from plans_by_legs import with_vehicles
 from po_valley import THREE, make_plan, po_valley
 from test_report_budgets import contrast
 
@@ -24,7 +25,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.scenario import read_scenario
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.plans.clock import Clock
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.plans.trip import Trip
 from platoon_osm.report import (
     report_document,
@@ -125,41 +126,13 @@ def test_vehicles_of_a_platoon_share_its_spans(document: dict[str, Any]) -> None
     assert all(len(spans) == 1 for spans in seen.values())
 
 
-def test_a_leg_of_several_sections_is_cut_by_driving_time(
-    plan: JointPlan, net: RoadNetwork
-) -> None:
-    """Hand the master one platoon leg for all its company: sections and spans stay the same."""
+def test_spans_are_those_of_the_timetable(plan: JointPlan, net: RoadNetwork) -> None:
     day = timed(plan)
     assert day.timetable is not None
-    whole = report_document(day, net)
-    master, times = day.vehicles[0], day.timetable.vehicles[0]
-    together = [k for k, leg in enumerate(master.legs) if leg.role == "platoon"]
-    first, last = together[0], together[-1]
-    legs = [master.legs[k] for k in together]
-    joined = replace(
-        legs[0], edges=tuple(e for leg in legs for e in leg.edges), partners=("B", "C"),
-        time_s=sum(leg.time_s for leg in legs), length_m=sum(leg.length_m for leg in legs),
-    )  # fmt: skip
-    spans = (
-        *times.legs[:first],
-        (times.legs[first][0], times.legs[last][1]),
-        *times.legs[last + 1 :],
-    )
-    table = replace(
-        day.timetable,
-        vehicles=(replace(times, legs=spans), *day.timetable.vehicles[1:]),
-    )
-    cut = replace(
-        day,
-        vehicles=(
-            replace(master, legs=(*master.legs[:first], joined, *master.legs[last + 1 :])),
-            *day.vehicles[1:],
-        ),
-        timetable=table,
-    )
-    found = report_document(cut, net)["vehicles"][0]["times"]["spans"]
-    # Times of the hand-made plan are lengths at one speed, as the network's are.
-    assert np.allclose(found, whole["vehicles"][0]["times"]["spans"], atol=1)
+    for vehicle, times in zip(
+        report_document(day, net)["vehicles"], day.timetable.vehicles, strict=True
+    ):
+        assert np.allclose(vehicle["times"]["spans"], times.legs, atol=0.06)
 
 
 def test_figures_events_and_texts(document: dict[str, Any]) -> None:
@@ -200,7 +173,7 @@ def test_fatigue_stands_while_a_vehicle_waits(day: JointPlan, document: dict[str
 
 def test_a_timetable_of_other_vehicles_is_refused(day: JointPlan, net: RoadNetwork) -> None:
     with pytest.raises(ScenarioError, match="timetable is that of other vehicles"):
-        report_document(replace(day, vehicles=day.vehicles[:2]), net)
+        report_document(with_vehicles(day, (*day.vehicles[1:], day.vehicles[0])), net)
 
 
 @pytest.mark.parametrize(

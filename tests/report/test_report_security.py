@@ -16,7 +16,7 @@ from po_valley import THREE, make_plan, po_valley, two_platoons
 
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.records import JointPlan
+from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.markup.fragments import fill
 from platoon_osm.report.markup.security import json_for_html

@@ -5,7 +5,7 @@ import pytest
 from hand_made import KM, ramps
 
 from platoon_osm.costs.fatigue import fatigue_heuristic
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.planning.cases import plan_members
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.trip import Trip

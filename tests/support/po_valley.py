@@ -4,24 +4,20 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from plans_by_legs import plan_of, with_vehicles
 
-from platoon_osm.costs.weights import EdgeWeights, paper_weights
+from platoon_osm.costs.paper import paper_weights
+from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import POINT_KINDS, NamedPoints, RoadNetwork
 from platoon_osm.network.texts import encode_texts
-from platoon_osm.plans.records import (
-    JointPlan,
-    Leg,
-    NetworkIdentity,
-    PlatoonPoint,
-    Stop,
-    VehiclePlan,
-)  # fmt: skip
+from platoon_osm.plans.plan import Plan
+from platoon_osm.plans.records import Leg, NetworkIdentity, PlatoonPoint, Stop
+from platoon_osm.plans.vehicles import VehiclePlan
 
 JUNCTIONS = {
     "Torino": (7.75, 45.10), "Santhià": (8.17, 45.37), "Novara Est": (8.66, 45.47),
@@ -183,7 +179,7 @@ def make_plan(
     journeys: Sequence[Journey],
     rename: Rename = str,
     **changes: Any,
-) -> JointPlan:
+) -> Plan:
     """A plan from (vehicle, from, to, merge, separation); the first vehicle is the master."""
     weights = paper_weights(net, tau=1.0, xi=0.18, speed_kmh=80.0)
     place = list(JUNCTIONS).index
@@ -260,16 +256,15 @@ def make_plan(
             )
     source = net.source
     values: dict[str, Any] = {
-        "vehicles": tuple(vehicles), "case": "C", "asked": "best", "objective": "member",
+        "case": "C", "asked": "best", "objective": "member",
         "method": "dijkstra", "unit": "m", "params": dict(weights.params),
         "network": NetworkIdentity(
             source.name, source.sha256, source.extracted, source.licence, source.attribution,
             net.n, net.m, net.identity(),
         ),
-        "proof": {"kind": "exact", "conditions": ["waiting is free", "vehicles are alike"]},
-        "version": "0.1.0",
+        "conditions": ("waiting is free", "vehicles are alike"), "version": "0.1.0",
     }  # fmt: skip
-    return JointPlan(**{**values, **changes})
+    return plan_of(vehicles, **{**values, **changes})
 
 
 THREE: list[Journey] = [
@@ -306,7 +301,7 @@ TWO_PLATOONS: list[list[Journey]] = [
 ]
 
 
-def two_platoons(net: RoadNetwork, rename: Rename = str) -> JointPlan:
+def two_platoons(net: RoadNetwork, rename: Rename = str) -> Plan:
     """Two platoons that share much of their road, and a vehicle alone."""
     first, second = (make_plan(net, journeys, rename) for journeys in TWO_PLATOONS)
-    return replace(first, vehicles=(*first.vehicles, *second.vehicles))
+    return with_vehicles(first, (*first.vehicles, *second.vehicles))

@@ -3,7 +3,8 @@
 import numpy as np
 from hypothesis import strategies as st
 
-from platoon_osm.costs.weights import EdgeWeights, PaperCosts, paper_weights
+from platoon_osm.costs.paper import PaperCosts, paper_weights
+from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.trip import Trip
 

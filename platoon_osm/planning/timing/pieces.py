@@ -9,29 +9,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from graphlib import CycleError, TopologicalSorter
+from graphlib import TopologicalSorter
+from itertools import pairwise
 
-from ...errors import ScenarioError
-from ...plans.records import Leg, VehiclePlan
+from ...plans.records import Stretch
+from ...plans.stretches import linked
 
 __all__ = ["Piece", "Pieces", "pieces_of"]
-
-AGREE = 1e-6
-"""Vehicles of a platoon may differ by this share in the driving time of one stretch."""
 
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """A stretch driven by one company.
+    """A stretch driven by one company, as the clock sees it.
 
     Attributes
     ----------
-    company : positions of its vehicles in the plan.
-    time_s : driving time.
-    before : pieces that its vehicles come from.
-    begins : vehicles that start their journey with it.
-    root : the piece whose start settles this one's, itself if it has a start of its own.
-    offset_s : how long after the start of its root it starts.
+    company : frozenset of int
+        Positions of its vehicles in the plan.
+    time_s : float
+        Driving time [s].
+    before : tuple of int
+        Pieces that its vehicles come from.
+    begins : tuple of int
+        Vehicles that start their journey with it.
+    root : int
+        The piece whose start settles this one's, itself if it has a start of its own.
+    offset_s : float
+        How long after the start of its root it starts [s].
     """
 
     company: frozenset[int]
@@ -48,9 +52,12 @@ class Pieces:
 
     Attributes
     ----------
-    pieces : in an order of time.
-    ways : the pieces of each vehicle's legs.
-    groups : vehicles linked by driving together; who drives alone is a group.
+    pieces : tuple of Piece
+        In an order of time.
+    ways : tuple of tuple of int
+        The pieces of each vehicle's way.
+    groups : tuple of tuple of int
+        Vehicles linked by driving together; who drives alone is a group.
     """
 
     pieces: tuple[Piece, ...]
@@ -58,97 +65,48 @@ class Pieces:
     groups: tuple[tuple[int, ...], ...]
 
 
-def pieces_of(vehicles: Sequence[VehiclePlan]) -> Pieces:
+def pieces_of(stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]) -> Pieces:
     """Cut a plan into pieces.
 
-    Raises
-    ------
-    ScenarioError
-        Vehicles that name each other as company but do not drive the same, or wait for each other
-        in a circle.
+    Parameters
+    ----------
+    stretches : sequence of Stretch
+        Of the plan.
+    ways : sequence of sequence of int, (N, ...)
+        The stretches of each vehicle.
+
+    Returns
+    -------
+    Pieces
+        One a stretch.
     """
-    names = {vehicle.vehicle: index for index, vehicle in enumerate(vehicles)}
-    driven: dict[tuple[object, ...], list[tuple[int, int]]] = {}
-    for index, vehicle in enumerate(vehicles):
-        if not vehicle.legs:
-            raise ScenarioError(f"schedule: {vehicle.vehicle!r} has no legs; plan again")
-        for number, leg in enumerate(vehicle.legs):
-            alone = leg.role != "platoon"
-            company = frozenset({vehicle.vehicle, *(() if alone else leg.partners)})
-            key = (index, number) if alone else (company, leg.edges)
-            driven.setdefault(key, []).append((index, number))
-    keys = list(driven)
-    ways: list[list[int]] = [[] for _ in vehicles]
-    for index, _, piece in sorted(
-        (index, number, k) for k, key in enumerate(keys) for index, number in driven[key]
-    ):
-        ways[index].append(piece)
-    before = [
-        tuple(sorted({ways[i][number - 1] for i, number in driven[key] if number})) for key in keys
-    ]
-    order = _in_time(before)
-    place = {piece: rank for rank, piece in enumerate(order)}
+    before: list[set[int]] = [set() for _ in stretches]
+    begins: list[list[int]] = [[] for _ in stretches]
+    for index, way in enumerate(ways):
+        begins[way[0]].append(index)
+        for last, stretch in pairwise(way):
+            before[stretch].add(last)
+    ordered = list(
+        TopologicalSorter({k: sorted(last) for k, last in enumerate(before)}).static_order()
+    )
+    place = {stretch: rank for rank, stretch in enumerate(ordered)}
     made: list[Piece] = []
-    for piece in order:
-        legs = driven[keys[piece]]
-        made.append(_piece(vehicles, names, legs, [place[k] for k in before[piece]], made))
+    for stretch in ordered:
+        come_from = [place[last] for last in sorted(before[stretch])]
+        made.append(_piece(stretches[stretch], come_from, begins[stretch], made))
     return Pieces(
         tuple(made),
-        tuple(tuple(place[piece] for piece in way) for way in ways),
-        _groups(made, len(vehicles)),
+        tuple(tuple(place[stretch] for stretch in way) for way in ways),
+        linked([stretch.vehicles for stretch in stretches], len(ways)),
     )
 
 
-def _in_time(before: Sequence[tuple[int, ...]]) -> list[int]:
-    try:
-        return list(TopologicalSorter(dict(enumerate(before))).static_order())
-    except CycleError:
-        raise ScenarioError(
-            "schedule: the legs of the plan wait for each other in a circle; plan again"
-        ) from None
-
-
 def _piece(
-    vehicles: Sequence[VehiclePlan], names: dict[str, int], legs: Sequence[tuple[int, int]],
-    before: Sequence[int], made: Sequence[Piece],
-) -> Piece:  # fmt: skip
-    company = frozenset(index for index, _ in legs)
-    first, number = legs[0]
-    leg = vehicles[first].legs[number]
-    _check(vehicles, names, company, leg, vehicles[first].vehicle)
-    times = [vehicles[index].legs[number].time_s for index, number in legs]
-    if max(times) - min(times) > AGREE * max(times):
-        raise ScenarioError(
-            f"schedule: vehicles of the platoon of {vehicles[first].vehicle!r} need from "
-            f"{min(times):.0f} to {max(times):.0f} s for one stretch; plan again"
-        )
-    begins = tuple(index for index, number in legs if number == 0)
+    stretch: Stretch, before: Sequence[int], begins: Sequence[int], made: Sequence[Piece]
+) -> Piece:
+    company = frozenset(stretch.vehicles)
     root, offset = len(made), 0.0
     if len(before) == 1 and not begins and company <= made[before[0]].company:
         last = made[before[0]]
         root, offset = last.root, last.offset_s + last.time_s
-    return Piece(company, max(times), tuple(before), begins, root, offset)
-
-
-def _check(
-    vehicles: Sequence[VehiclePlan], names: dict[str, int], company: frozenset[int], leg: Leg,
-    own: str,
-) -> None:  # fmt: skip
-    missing = set(leg.partners if leg.role == "platoon" else ()) - {
-        vehicles[index].vehicle for index in company
-    }
-    if missing:
-        other = min(missing)
-        raise ScenarioError(
-            f"schedule: {own!r} drives with {other!r}, which "
-            f"{'drives no such leg' if other in names else 'is not in the plan'}; plan again"
-        )
-
-
-def _groups(pieces: Sequence[Piece], vehicles: int) -> tuple[tuple[int, ...], ...]:
-    group = [{index} for index in range(vehicles)]
-    for piece in pieces:
-        joined = set().union(*(group[index] for index in piece.company))
-        for index in joined:
-            group[index] = joined
-    return tuple(sorted({tuple(sorted(one)) for one in group}))
+    return Piece(company, stretch.drive_s, tuple(before), tuple(begins), root, offset)

@@ -34,7 +34,7 @@ from numpy.typing import NDArray
 
 from ...errors import ScenarioError
 from ...plans.clock import Clock, late_by
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ...plans.timetable import Timetable, VehicleTimes
 from ...plans.trip import TIMES, Trip, check_one_clock
 from .pieces import Pieces, pieces_of
@@ -53,16 +53,15 @@ Floats = NDArray[np.float64]
 Row = dict[int, float]
 
 
-def with_times(plan: JointPlan, trips: Sequence[Trip]) -> JointPlan:
+def with_times(plan: Plan, trips: Sequence[Trip]) -> Plan:
     """Return a plan with its timetable; the plan itself if no trip names a time."""
     timetable = schedule(plan, trips)
     if timetable is None:
         return plan
-    conditions = [*plan.proof.get("conditions", ()), ROUTES_GIVEN]
     return replace(
         plan,
         timetable=timetable,
-        proof={**plan.proof, "conditions": conditions},
+        proof=replace(plan.proof, conditions=(*plan.proof.conditions, ROUTES_GIVEN)),
         remarks=(*plan.remarks, *_lateness(timetable)),
     )
 
@@ -77,7 +76,7 @@ def _lateness(timetable: Timetable) -> Iterator[str]:
         )
 
 
-def schedule(plan: JointPlan, trips: Sequence[Trip]) -> Timetable | None:
+def schedule(plan: Plan, trips: Sequence[Trip]) -> Timetable | None:
     """Return when everyone drives; None if no trip names a time.
 
     Parameters
@@ -99,7 +98,7 @@ def schedule(plan: JointPlan, trips: Sequence[Trip]) -> Timetable | None:
             raise ScenarioError(f"schedule: vehicle {vehicle.vehicle!r} has no trip; give it one")
     clock = Clock.at(min(named))
     windows = [_window(known[vehicle.vehicle], clock) for vehicle in plan.vehicles]
-    pieces = pieces_of(plan.vehicles)
+    pieces = pieces_of(plan.stretches, plan.ways)
     starts = _starts(pieces, windows)
     # Seconds count from the whole second at or before the first departure.
     leaving = (w.leaves(starts[way[0]]) for w, way in zip(windows, pieces.ways, strict=True))

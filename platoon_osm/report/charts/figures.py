@@ -15,7 +15,7 @@ from ...atomic_file import whole_file
 from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.document import document_of
 from ..document.model import Document
@@ -36,7 +36,7 @@ FORMATS = ("png", "svg", "pdf")
 
 
 def write_figures(
-    plan: JointPlan,
+    plan: Plan,
     net: RoadNetwork,
     folder: str | os.PathLike[str],
     *,
@@ -52,7 +52,7 @@ def write_figures(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is drawn.
     net : RoadNetwork
         The network the plan was made on.

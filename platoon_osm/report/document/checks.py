@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..drawing.vehicle_styles import VehicleStyle
 
 __all__ = [
@@ -36,14 +36,14 @@ def check_plan(plan: object, net: object) -> None:
     ScenarioError
         Not a plan, not a network, no vehicles, another network, or vehicles that drive off it.
     """
-    if isinstance(plan, RoadNetwork) and isinstance(net, JointPlan):
+    if isinstance(plan, RoadNetwork) and isinstance(net, Plan):
         raise ScenarioError("report: plan and network are swapped; name the plan first")
     check_is_plan(plan)
     if not isinstance(net, RoadNetwork):
         raise ScenarioError(
             f"report: {_told(net)} is no network; hand in the one that the plan was made on"
         )
-    assert isinstance(plan, JointPlan)
+    assert isinstance(plan, Plan)
     if not plan.vehicles:
         raise ScenarioError("report: the plan has no vehicles; plan at least one trip")
     if plan.network.identity != net.identity():
@@ -51,7 +51,6 @@ def check_plan(plan: object, net: object) -> None:
             f"report: the plan was made on {plan.network.name!r} ({plan.network.identity}), not "
             f"on {net.source.name!r} ({net.identity()}); load the network it was made on"
         )
-    plan.check_timetable()
     seen: set[str] = set()
     for vehicle in plan.vehicles:
         if vehicle.vehicle in seen:
@@ -80,9 +79,9 @@ def check_is_plan(plan: object) -> None:
     ScenarioError
         It is not.
     """
-    if not isinstance(plan, JointPlan):
+    if not isinstance(plan, Plan):
         remedy = (
-            "JointPlan.from_dict makes one of it"
+            "Plan.from_dict makes one of it"
             if isinstance(plan, dict)
             else ("hand in what plan_joint returned")
         )
@@ -157,14 +156,14 @@ def check_titles(titles: object, plans: Sequence[object]) -> None:
             raise ScenarioError(f"compare: title {_told(title)} is no text; give one text a plan")
 
 
-def check_styles(styles: object, plan: JointPlan) -> None:
+def check_styles(styles: object, plan: Plan) -> None:
     """Refuse styles unless there is one for each vehicle.
 
     Parameters
     ----------
     styles : object
         Should be a mapping of names to styles, or None.
-    plan : JointPlan
+    plan : Plan
         Whose vehicles they are for.
 
     Raises

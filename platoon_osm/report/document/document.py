@@ -12,7 +12,7 @@ from typing import Any
 
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..drawing.basemap import network_lines
 from ..drawing.vehicle_styles import VehicleStyle
 from .as_json import as_json
@@ -35,7 +35,7 @@ DOCUMENT_VERSION = 3
 
 
 def report_document(
-    plan: JointPlan,
+    plan: Plan,
     net: RoadNetwork,
     *,
     title: str | None = None,
@@ -46,7 +46,7 @@ def report_document(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.
@@ -75,7 +75,7 @@ def report_document(
 
 
 def document_of(
-    plan: JointPlan,
+    plan: Plan,
     net: RoadNetwork,
     *,
     title: str | None = None,
@@ -86,7 +86,7 @@ def document_of(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.
@@ -118,9 +118,9 @@ def document_of(
         totals=totals(found),
         vehicles=tuple(vehicle(found, index) for index in range(len(plan.vehicles))),
         groups=tuple(groups(found)),
-        platoons=tuple(platoon_line(found, number) for number in range(len(found.sections))),
-        solos=tuple(solo_line(found, stretch) for stretch in found.stretches),
-        events=tuple(event_mark(found, number) for number in range(len(found.events))),
+        platoons=tuple(platoon_line(found, number) for number in range(len(found.platoons))),
+        solos=tuple(solo_line(found, number) for number in range(len(found.solos))),
+        events=tuple(event_mark(found, number) for number in range(len(plan.events))),
         journey=rounded(found.scale),
         schedule=timeline(plan),
         inferred_routes=tuple(inferred_routes(found)),

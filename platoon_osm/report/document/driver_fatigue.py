@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...costs.fatigue import FITTED_RANGE_S, FatigueModel, driving_clock
-from ...plans.records import VehiclePlan
 from ...plans.timetable import VehicleTimes
+from ...plans.vehicles import VehiclePlan
 from .model_day import Fatigue, FatigueCurve
 
 __all__ = ["fatigue_along"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...plans.clock import duration
-from ...plans.events import Event
+from ...plans.records import Event
 from ..markup.quantities import kilometres
 from ..markup.shown_text import fitted, shortened, shown
 from .findings import Findings
@@ -29,7 +29,7 @@ def event_mark(found: Findings, number: int) -> EventMark:
     EventMark
         All that pages show of it.
     """
-    event, at_s = found.events[number], found.moments[number]
+    event, at_s = found.plan.events[number], found.moments[number]
     point = event.point
     details = (_detail(found, event), _waiting(found, event, at_s))
     return EventMark(
@@ -37,8 +37,8 @@ def event_mark(found: Findings, number: int) -> EventMark:
         lon=round(point.lon, 6),
         lat=round(point.lat, 6),
         name=fitted(point.name),
-        vehicles=tuple(event.movers),
-        others=tuple(event.others),
+        vehicles=event.movers,
+        others=event.others,
         at_m=_on_scale(found, event),
         at_s=None if at_s is None else round(at_s, 1),
         text=_text(found, event, at_s),
@@ -80,16 +80,19 @@ def _waiting(found: Findings, event: Event, at_s: float | None) -> str:
 
 
 def _detail(found: Findings, event: Event) -> str:
-    road = shortened(shown(found.net.edge_ref(event.edge)), 40) if event.edge >= 0 else ""
+    edges = found.plan.stretches[event.stretch].edges
+    edge = edges[0] if event.kind == "merge" else edges[-1]
+    road = shortened(shown(found.net.edge_ref(edge)), 40)
     first = found.plan.vehicles[event.movers[0]]
     parts = [road]
     if len(event.movers) == 1 and event.kind == "merge":
+        km = first.merge.km if first.merge else 0.0
         parts.append(
-            f"{kilometres(event.point.km * 1000)} from {fitted(first.origin.name)}"
-            if event.point.km >= 0.05
+            f"{kilometres(km * 1000)} from {fitted(first.origin.name)}"
+            if km >= 0.05
             else "at its start"
         )
     elif len(event.movers) == 1:
-        parts.append(f"after {kilometres(event.together_m)} in platoon")
+        parts.append(f"after {kilometres(first.platoon_m)} in platoon")
         parts.append(f"towards {fitted(first.destination.name)}")
     return ", ".join(part for part in parts if part)

@@ -7,27 +7,18 @@ from dataclasses import dataclass
 
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
-from ...plans.events import Event, platoon_events
-from ...plans.records import JointPlan
-from ...plans.stretches import (
-    PlatoonPart,
-    PlatoonSection,
-    SoloStretch,
-    platoon_groups,
-    platoon_parts,
-    platoon_sections,
-    solo_stretches,
-)
+from ...plans.plan import Plan
+from ...plans.records import Event, Stretch
 from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
 from ..markup.quantities import CostUnit, cost_unit
+from .alone_costs import with_alone_costs
 from .checks import check_plan, check_styles
-from .journey import journey, ways
+from .journey import journey
+from .line_parts import PlatoonPart, SoloPart, platoon_parts, solo_parts
 from .model_day import JourneyScale
 from .opposite import opposite_gaps
-from .solo_costs import known_weights
-from .timeline import event_time
 
-__all__ = ["Findings", "find"]
+__all__ = ["Findings", "find", "moment_of"]
 
 Way = tuple[tuple[str, int], ...]
 
@@ -38,7 +29,7 @@ class Findings:
 
     Attributes
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         Where it drives.
@@ -46,37 +37,32 @@ class Findings:
         How its costs are printed.
     styles : tuple of VehicleStyle
         How each vehicle looks.
-    known : EdgeWeights or None
-        The weights it was made with, if they can be told.
-    sections : tuple of PlatoonSection
-        Stretches of one company.
-    parts : tuple of tuple of PlatoonPart
-        Each section, cut where its place in the drawing changes.
-    stretches : tuple of SoloStretch
-        Stretches driven alone, cut likewise.
+    platoons, solos : tuple of Stretch
+        The plan's stretches that several vehicles drive, and those that one does.
+    platoon_parts : tuple of tuple of PlatoonPart
+        Each of the former, cut where its place in the drawing changes.
+    solo_parts : tuple of tuple of SoloPart
+        Each of the latter, cut likewise.
     groups : tuple of tuple of int
         Vehicles that belong together.
     ways : tuple of tuple
         Each vehicle's pieces in driving order: "solo" or "platoon", and the position there.
-    events : tuple of Event
-        Merges and separations in driving order.
     moments : tuple of float or None
-        When each event is [s]; None without times.
+        When each event of the plan is [s]; None without times.
     scale : JourneyScale or None
         The common scale of distance, not rounded.
     """
 
-    plan: JointPlan
+    plan: Plan
     net: RoadNetwork
     unit: CostUnit
     styles: tuple[VehicleStyle, ...]
-    known: EdgeWeights | None
-    sections: tuple[PlatoonSection, ...]
-    parts: tuple[tuple[PlatoonPart, ...], ...]
-    stretches: tuple[SoloStretch, ...]
+    platoons: tuple[Stretch, ...]
+    solos: tuple[Stretch, ...]
+    platoon_parts: tuple[tuple[PlatoonPart, ...], ...]
+    solo_parts: tuple[tuple[SoloPart, ...], ...]
     groups: tuple[tuple[int, ...], ...]
     ways: tuple[Way, ...]
-    events: tuple[Event, ...]
     moments: tuple[float | None, ...]
     scale: JourneyScale | None
 
@@ -97,7 +83,7 @@ class Findings:
 
 
 def find(
-    plan: JointPlan,
+    plan: Plan,
     net: RoadNetwork,
     weights: EdgeWeights | None = None,
     styles: Mapping[str, VehicleStyle] | None = None,
@@ -106,7 +92,7 @@ def find(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network it was made on.
@@ -127,24 +113,57 @@ def find(
     """
     check_plan(plan, net)
     check_styles(styles, plan)
-    names = [vehicle.vehicle for vehicle in plan.vehicles]
+    plan = with_alone_costs(plan, net, weights)
+    names = [trip.vehicle for trip in plan.trips]
     looks = vehicle_styles(names) if styles is None else [styles[name] for name in names]
-    sections = platoon_sections(plan)
-    events = platoon_events(plan, sections)
-    groups = platoon_groups(sections, len(plan.vehicles))
-    opposite = opposite_gaps(net, (edge for vehicle in plan.vehicles for edge in vehicle.edges))
+    groups = tuple(one.vehicles for one in plan.platoons if len(one.vehicles) > 1)
+    platoons = tuple(stretch for stretch in plan.stretches if stretch.together)
+    solos = tuple(stretch for stretch in plan.stretches if not stretch.together)
+    opposite = opposite_gaps(net, (edge for stretch in plan.stretches for edge in stretch.edges))
     return Findings(
         plan=plan,
         net=net,
         unit=cost_unit(plan.unit),
         styles=tuple(looks),
-        known=known_weights(plan, net, weights),
-        sections=tuple(sections),
-        parts=tuple(platoon_parts(sections, opposite)),
-        stretches=tuple(solo_stretches(plan, sections, opposite)),
-        groups=tuple(groups),
-        ways=ways(plan, sections),
-        events=tuple(events),
-        moments=tuple(event_time(plan, event) for event in events),
-        scale=journey(plan, net, sections, groups),
+        platoons=platoons,
+        solos=solos,
+        platoon_parts=tuple(platoon_parts(platoons, opposite)),
+        solo_parts=tuple(solo_parts(solos, platoons, opposite)),
+        groups=groups,
+        ways=_ways(plan),
+        moments=tuple(moment_of(plan, event) for event in plan.events),
+        scale=journey(plan, groups),
     )
+
+
+def _ways(plan: Plan) -> tuple[Way, ...]:
+    """Return each vehicle's pieces: "solo" or "platoon", and the position among those."""
+    seen = {"solo": 0, "platoon": 0}
+    pieces: list[tuple[str, int]] = []
+    for stretch in plan.stretches:
+        kind = "platoon" if stretch.together else "solo"
+        pieces.append((kind, seen[kind]))
+        seen[kind] += 1
+    return tuple(tuple(pieces[stretch] for stretch in way) for way in plan.ways)
+
+
+def moment_of(plan: Plan, event: Event) -> float | None:
+    """Return when an event is.
+
+    Parameters
+    ----------
+    plan : Plan
+        Whose event it is.
+    event : Event
+        A merge or a separation.
+
+    Returns
+    -------
+    float or None
+        In seconds from the start of the timetable; None if the plan has no times.
+    """
+    if plan.timetable is None:
+        return None
+    mover = event.movers[0]
+    span = plan.timetable.vehicles[mover].legs[plan.ways[mover].index(event.stretch)]
+    return span[0] if event.kind == "merge" else span[1]

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..drawing.basemap import ROUTE_STEPS, ROUTE_TOLERANCE_M, basemap_lines
 from ..drawing.lines import Lines
 from ..drawing.ticks import round_step
@@ -91,12 +91,12 @@ class FlowDocument:
     histogram: Histogram
 
 
-def flow_document(plan: JointPlan, net: RoadNetwork, *, title: str | None = None) -> dict[str, Any]:
+def flow_document(plan: Plan, net: RoadNetwork, *, title: str | None = None) -> dict[str, Any]:
     """Return what the page for many vehicles shows as plain JSON types.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.
@@ -124,14 +124,12 @@ def flow_document(plan: JointPlan, net: RoadNetwork, *, title: str | None = None
     }
 
 
-def flow_document_of(
-    plan: JointPlan, net: RoadNetwork, *, title: str | None = None
-) -> FlowDocument:
+def flow_document_of(plan: Plan, net: RoadNetwork, *, title: str | None = None) -> FlowDocument:
     """Return what the page for many vehicles shows as records.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.
@@ -158,7 +156,7 @@ def flow_document_of(
     )
 
 
-def _flows(plan: JointPlan, net: RoadNetwork) -> Iterator[Flow]:
+def _flows(plan: Plan, net: RoadNetwork) -> Iterator[Flow]:
     """Yield the roads used, for each number of vehicles that drive on them."""
     count: Counter[int] = Counter()
     for vehicle in plan.vehicles:

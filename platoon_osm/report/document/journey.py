@@ -9,40 +9,26 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import count
+from itertools import accumulate
 
-import numpy as np
-from numpy.typing import NDArray
-
-from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan, VehiclePlan
-from ...plans.stretches import PlatoonSection
+from ...plans.plan import Plan
 from .model_day import JourneyScale
 
-__all__ = ["journey", "rounded", "ways"]
+__all__ = ["journey", "rounded"]
 
 AGREE_M = 100.0
-"""How far two sections may put one vehicle apart before no common scale is drawn."""
+"""How far two stretches may put one vehicle apart before no common scale is drawn."""
 
 
-def journey(
-    plan: JointPlan,
-    net: RoadNetwork,
-    sections: Sequence[PlatoonSection],
-    groups: Sequence[tuple[int, ...]],
-) -> JourneyScale | None:
+def journey(plan: Plan, groups: Sequence[tuple[int, ...]]) -> JourneyScale | None:
     """Return the scale on which vehicles of a platoon are always level.
 
     Platoons that never meet, and vehicles alone, each begin at 0.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose vehicles they are.
-    net : RoadNetwork
-        Where they drive.
-    sections : sequence of PlatoonSection
-        Stretches of one company.
     groups : sequence of tuple of int
         Vehicles that belong together.
 
@@ -54,8 +40,7 @@ def journey(
     """
     starts: dict[int, float] = {}
     for group in groups:
-        own = [section for section in sections if section.vehicles[0] in group]
-        found = _level(plan, net, group, own)
+        found = _level(plan, group)
         if found is None:
             return None
         first = min(found.values())
@@ -85,77 +70,39 @@ def rounded(scale: JourneyScale | None) -> JourneyScale | None:
     return replace(scale, length_m=round(scale.length_m, 1), starts_m=starts)
 
 
-def _guide(plan: JointPlan, group: Sequence[int]) -> int:
+def _guide(plan: Plan, group: Sequence[int]) -> int:
     """Return the master of a group, or else who drives farthest in the platoon."""
     masters = [index for index in group if plan.vehicles[index].role == "master"]
     return masters[0] if masters else max(group, key=lambda i: (plan.vehicles[i].platoon_m, -i))
 
 
-def _level(
-    plan: JointPlan, net: RoadNetwork, group: Sequence[int], sections: Sequence[PlatoonSection]
-) -> dict[int, float] | None:
-    """Return a start for each vehicle of a group, so that all are level on every section."""
-    driven = {index: _driven_before(plan.vehicles[index], net) for index in group}
+def _level(plan: Plan, group: Sequence[int]) -> dict[int, float] | None:
+    """Return a start for each vehicle of a group, so that all are level on every stretch."""
+    before = {index: _driven_before(plan, index) for index in group}
     starts = {group[0]: 0.0}
-    waiting = list(sections)
+    waiting = [
+        number
+        for number, stretch in enumerate(plan.stretches)
+        if stretch.together and stretch.vehicles[0] in group
+    ]
     while waiting:
-        known = [section for section in waiting if any(i in starts for i in section.vehicles)]
+        known = [n for n in waiting if any(i in starts for i in plan.stretches[n].vehicles)]
         if not known:
             return None
-        for section in known:
-            waiting.remove(section)
-            at = {index: driven[index][section.edges[0]] for index in section.vehicles}
-            guide = next(index for index in section.vehicles if index in starts)
-            level = starts[guide] + at[guide]
-            for index in section.vehicles:
-                start = starts.setdefault(index, level - at[index])
-                if abs(start + at[index] - level) > AGREE_M:
+        for number in known:
+            waiting.remove(number)
+            company = plan.stretches[number].company
+            guide = next(index for index in company if index in starts)
+            level = starts[guide] + before[guide][number]
+            for index in company:
+                start = starts.setdefault(index, level - before[index][number])
+                if abs(start + before[index][number] - level) > AGREE_M:
                     return None
     return starts
 
 
-def _driven_before(vehicle: VehiclePlan, net: RoadNetwork) -> dict[int, float]:
-    edges: NDArray[np.int64] = np.asarray(vehicle.edges, np.int64)
-    reached = np.cumsum(net.length_m[edges]) - net.length_m[edges]
-    # A road driven twice counts from the first time.
-    return {int(e): float(d) for e, d in zip(edges[::-1], reached[::-1], strict=True)}
-
-
-def ways(
-    plan: JointPlan, sections: Sequence[PlatoonSection]
-) -> tuple[tuple[tuple[str, int], ...], ...]:
-    """Return each vehicle's pieces in driving order.
-
-    Parameters
-    ----------
-    plan : JointPlan
-        Whose vehicles they are.
-    sections : sequence of PlatoonSection
-        Stretches of one company.
-
-    Returns
-    -------
-    tuple of tuple
-        For each vehicle, "solo" or "platoon" and the position among those, piece by piece.
-    """
-    solo = count()
-    section_of = {
-        (index, edge): number
-        for number, section in enumerate(sections)
-        for index in section.vehicles
-        for edge in section.edges
-    }
-    found: list[tuple[tuple[str, int], ...]] = []
-    for index, vehicle in enumerate(plan.vehicles):
-        way: list[tuple[str, int]] = []
-        for leg in vehicle.legs:
-            if leg.role != "platoon" and leg.edges:
-                # In the order of `solo_stretches`: leg by leg.
-                way.append(("solo", next(solo)))
-                continue
-            for edge in leg.edges:
-                piece = section_of.get((index, edge))
-                if piece is not None and way[-1:] != [("platoon", piece)]:
-                    way.append(("platoon", piece))
-        found.append(tuple(way))
-    return tuple(found)
+def _driven_before(plan: Plan, index: int) -> dict[int, float]:
+    """Return how far a vehicle has come at the start of each stretch of its way."""
+    way = plan.ways[index]
+    lengths = [plan.stretches[stretch].length_m for stretch in way]
+    return dict(zip(way, accumulate(lengths[:-1], initial=0.0), strict=True))

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...costs.weights import EdgeWeights
-from ...plans.records import VehiclePlan
-from ...plans.stretches import PlatoonSection, SoloStretch
 from ..drawing.basemap import route_line
 from ..drawing.lines import Line
 from ..markup.quantities import kilometres
 from ..markup.shown_text import fitted
 from .findings import Findings
 from .model_map import BandPart, LanePart, PlatoonLine, SharedCost, SoloLine, Tip
-from .solo_costs import sum_over
 from .wording import cost_texts, joined
 
 __all__ = ["inferred_routes", "platoon_line", "solo_line"]
@@ -23,44 +19,42 @@ MOST_ROWS = 12
 
 
 def platoon_line(found: Findings, number: int) -> PlatoonLine:
-    """Return one stretch of one company.
+    """Return one stretch that a platoon drives.
 
     Parameters
     ----------
     found : Findings
         Of the plan.
     number : int
-        Its position among the sections.
+        Its position among the platoons' stretches.
 
     Returns
     -------
     PlatoonLine
         With what it costs each vehicle.
     """
-    section = found.sections[number]
-    length_m = sum_over(found.net.length_m, section.edges)
+    stretch = found.platoons[number]
     rows: list[tuple[str, ...]] = []
     shares: list[SharedCost] = []
-    for index in section.vehicles:
-        letter = found.styles[index].letter
-        alone, joint = _section_costs(found.plan.vehicles[index], section, found.known)
-        shares.append(SharedCost(index, alone, joint))
-        if joint is not None and alone is not None:
-            text = cost_texts(alone, joint, found.unit)
+    for index in stretch.company:
+        letter, share = found.styles[index].letter, stretch.share_of(index)
+        shares.append(SharedCost(index, share.alone_cost, share.cost))
+        if share.alone_cost is None:
+            rows.append((letter, "", found.unit.bare(share.cost), ""))
+        else:
+            text = cost_texts(share.alone_cost, share.cost, found.unit)
             rows.append((letter, text.alone, text.joint, text.share))
-        elif joint is not None:
-            rows.append((letter, "", found.unit.bare(joint), ""))
     return PlatoonLine(
-        vehicles=section.vehicles,
-        length_m=length_m,
+        vehicles=stretch.company,
+        length_m=stretch.length_m,
         costs=tuple(shares),
         parts=tuple(
             BandPart(route_line(found.net, part.edges), part.beside, part.place, part.opposite_m)
-            for part in found.parts[number]
+            for part in found.platoon_parts[number]
         ),
         tip=Tip(
-            head=f"Platoon of {joined(found.letters(section.vehicles))}",
-            lines=(f"{kilometres(length_m)}; costs in {found.unit.label}",),
+            head=f"Platoon of {joined(found.letters(stretch.company))}",
+            lines=(f"{kilometres(stretch.length_m)}; costs in {found.unit.label}",),
             columns=("Vehicle", "Alone", "In platoon", "Saving") if rows else (),
             rows=tuple(rows[:MOST_ROWS]),
             more=f"and {len(rows) - MOST_ROWS} more" if len(rows) > MOST_ROWS else "",
@@ -68,41 +62,31 @@ def platoon_line(found: Findings, number: int) -> PlatoonLine:
     )
 
 
-def _section_costs(
-    vehicle: VehiclePlan, section: PlatoonSection, known: EdgeWeights | None
-) -> tuple[float | None, float | None]:
-    """Return the cost of a section alone and in platoon; None where the plan does not tell."""
-    whole = next((leg.cost for leg in vehicle.legs if leg.edges == section.edges), None)
-    if known is None:
-        return None, whole
-    own = known.master if vehicle.role == "master" else known.platoon
-    joint = sum_over(own, section.edges) if whole is None else whole
-    return sum_over(known.solo, section.edges), joint
-
-
-def solo_line(found: Findings, stretch: SoloStretch) -> SoloLine:
+def solo_line(found: Findings, number: int) -> SoloLine:
     """Return one stretch that a vehicle drives alone.
 
     Parameters
     ----------
     found : Findings
         Of the plan.
-    stretch : SoloStretch
-        One of its stretches.
+    number : int
+        Its position among the stretches driven alone.
 
     Returns
     -------
     SoloLine
         With what it costs.
     """
-    leg = stretch.leg
-    name = fitted(found.plan.vehicles[stretch.vehicle].vehicle)
-    letter = found.styles[stretch.vehicle].letter
-    inferred = (f"{kilometres(leg.inferred_m)} inferred",) if leg.inferred_m > 0 else ()
+    stretch = found.solos[number]
+    (index,) = stretch.vehicles
+    name = fitted(found.plan.trips[index].vehicle)
+    letter = found.styles[index].letter
+    cost = stretch.shares[0].cost
+    inferred = (f"{kilometres(stretch.inferred_m)} inferred",) if stretch.inferred_m > 0 else ()
     return SoloLine(
-        vehicle=stretch.vehicle,
-        length_m=leg.length_m,
-        cost=leg.cost,
+        vehicle=index,
+        length_m=stretch.length_m,
+        cost=cost,
         parts=tuple(
             LanePart(
                 route_line(found.net, part.edges),
@@ -111,14 +95,11 @@ def solo_line(found: Findings, stretch: SoloStretch) -> SoloLine:
                 part.bands,
                 part.opposite_m,
             )
-            for part in stretch.parts
+            for part in found.solo_parts[number]
         ),
         tip=Tip(
             head=f"{letter} alone" if name == letter else f"{letter} alone ({name})",
-            lines=(
-                f"{kilometres(leg.length_m)}, cost {found.unit.full(leg.cost)}",
-                *inferred,
-            ),
+            lines=(f"{kilometres(stretch.length_m)}, cost {found.unit.full(cost)}", *inferred),
         ),
     )
 

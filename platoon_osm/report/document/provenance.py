@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..markup.quantities import CostUnit, percent
 from ..markup.shown_text import fitted, shown
 from .model import LabelledText, Provenance
@@ -20,12 +20,12 @@ METHODS = {"dijkstra": "Dijkstra", "astar": "A*"}
 PROOF_KEYS = frozenset({"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum"})
 
 
-def provenance(plan: JointPlan, net: RoadNetwork, unit: CostUnit) -> Provenance:
+def provenance(plan: Plan, net: RoadNetwork, unit: CostUnit) -> Provenance:
     """Return where a plan comes from.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         The plan.
     net : RoadNetwork
         The network it was made on.
@@ -57,12 +57,12 @@ def provenance(plan: JointPlan, net: RoadNetwork, unit: CostUnit) -> Provenance:
     )
 
 
-def credits(plan: JointPlan, net: RoadNetwork) -> tuple[str, ...]:
+def credits(plan: Plan, net: RoadNetwork) -> tuple[str, ...]:
     """Return who is to be named with the map, on every page and in every file.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         It names its network's source.
     net : RoadNetwork
         So does this.
@@ -150,7 +150,7 @@ def _number(proof: Mapping[str, object], name: str) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def _method(plan: JointPlan) -> str:
+def _method(plan: Plan) -> str:
     asked = f" (asked: {plan.asked})" if plan.asked and plan.asked != plan.case else ""
     method = METHODS.get(plan.method, plan.method)
     return f"case {plan.case}{asked}, least cost of the {plan.objective}, {method}"

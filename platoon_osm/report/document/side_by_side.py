@@ -8,7 +8,7 @@ from typing import Any
 
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
 from ..markup.shown_text import fitted, shown
 from .as_json import as_json
@@ -51,7 +51,7 @@ class Comparison:
 
 
 def comparison_document(
-    plans: Sequence[JointPlan],
+    plans: Sequence[Plan],
     net: RoadNetwork,
     *,
     titles: Sequence[str] | None = None,
@@ -61,7 +61,7 @@ def comparison_document(
 
     Parameters
     ----------
-    plans : sequence of JointPlan
+    plans : sequence of Plan
         One or more, of the same network.
     net : RoadNetwork
         The network they were made on.
@@ -84,7 +84,7 @@ def comparison_document(
 
 
 def comparison_of(
-    plans: Sequence[JointPlan],
+    plans: Sequence[Plan],
     net: RoadNetwork,
     *,
     titles: Sequence[str] | None = None,
@@ -94,7 +94,7 @@ def comparison_of(
 
     Parameters
     ----------
-    plans : sequence of JointPlan
+    plans : sequence of Plan
         One or more, of the same network.
     net : RoadNetwork
         The network they were made on.
@@ -135,7 +135,7 @@ def comparison_of(
     )
 
 
-def _checked(plans: object, net: RoadNetwork) -> Sequence[JointPlan]:
+def _checked(plans: object, net: RoadNetwork) -> Sequence[Plan]:
     if not isinstance(plans, list | tuple):
         raise ScenarioError("compare: the plans are no list; give two or more of one network")
     if not plans:
@@ -145,7 +145,7 @@ def _checked(plans: object, net: RoadNetwork) -> Sequence[JointPlan]:
     return plans
 
 
-def _remarks(plans: Sequence[JointPlan], documents: Sequence[Document]) -> list[str]:
+def _remarks(plans: Sequence[Plan], documents: Sequence[Document]) -> list[str]:
     remarks: list[str] = []
     units = {document.cost_unit.label for document in documents}
     if len(units) > 1:
@@ -159,6 +159,6 @@ def _remarks(plans: Sequence[JointPlan], documents: Sequence[Document]) -> list[
     return remarks
 
 
-def _common_styles(plans: Sequence[JointPlan]) -> dict[str, VehicleStyle]:
+def _common_styles(plans: Sequence[Plan]) -> dict[str, VehicleStyle]:
     names = list(dict.fromkeys(vehicle.vehicle for plan in plans for vehicle in plan.vehicles))
     return dict(zip(names, vehicle_styles(names), strict=True))

@@ -5,27 +5,21 @@ Only plans with a timetable have one; nothing here invents a time.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
-
-from ...network.road_network import RoadNetwork
 from ...plans.clock import MENTIONED_S, Clock, duration, late_by
-from ...plans.events import Event
-from ...plans.records import JointPlan, VehiclePlan
-from ...plans.stretches import PlatoonSection
+from ...plans.plan import Plan
+from ...plans.records import Event
 from ...plans.timetable import VehicleTimes
 from .model_day import DaySchedule, DayTexts, VehicleDay, VehicleDayTexts
 
-__all__ = ["event_time", "timeline", "vehicle_day", "waits_at"]
+__all__ = ["timeline", "vehicle_day", "waits_at"]
 
 
-def timeline(plan: JointPlan) -> DaySchedule | None:
+def timeline(plan: Plan) -> DaySchedule | None:
     """Return what holds for the whole day.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose day it is.
 
     Returns
@@ -51,21 +45,15 @@ def timeline(plan: JointPlan) -> DaySchedule | None:
     )
 
 
-def vehicle_day(
-    plan: JointPlan, index: int, net: RoadNetwork, sections: Sequence[PlatoonSection]
-) -> VehicleDay | None:
+def vehicle_day(plan: Plan, index: int) -> VehicleDay | None:
     """Return one vehicle's times.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose vehicle it is.
     index : int
         Its position in the plan.
-    net : RoadNetwork
-        Where it drives.
-    sections : sequence of PlatoonSection
-        Stretches of one company.
 
     Returns
     -------
@@ -78,7 +66,6 @@ def vehicle_day(
     times = table.vehicles[index]
     asked = (times.earliest_departure_s, times.latest_departure_s, times.latest_arrival_s)
     earliest, latest, arrival = (None if at is None else round(at, 1) for at in asked)
-    spans = _spans(plan.vehicles[index], index, times, net, sections)
     return VehicleDay(
         departure_s=round(times.departure_s, 1),
         arrival_s=round(times.arrival_s, 1),
@@ -89,7 +76,7 @@ def vehicle_day(
         held_s=round(times.held_s, 1),
         late_s=round(times.late_s, 1),
         # A tenth of a second is 2 m of road.
-        spans=tuple((round(begin, 1), round(end, 1)) for begin, end in spans),
+        spans=tuple((round(begin, 1), round(end, 1)) for begin, end in times.legs),
         text=_texts(times, table.clock),
     )
 
@@ -107,81 +94,17 @@ def _texts(times: VehicleTimes, clock: Clock) -> VehicleDayTexts:
     )
 
 
-def _spans(
-    vehicle: VehiclePlan,
-    index: int,
-    times: VehicleTimes,
-    net: RoadNetwork,
-    sections: Sequence[PlatoonSection],
-) -> list[tuple[float, float]]:
-    """Return when each piece of `ways` begins and ends."""
-    section_of = {
-        edge: number
-        for number, section in enumerate(sections)
-        if index in section.vehicles
-        for edge in section.edges
-    }
-    found: list[tuple[float, float]] = []
-    for leg, (begin, end) in zip(vehicle.legs, times.legs, strict=True):
-        if not leg.edges:
-            continue
-        if leg.role != "platoon":
-            found.append((begin, end))
-            continue
-        edges = np.asarray(leg.edges, np.int64)
-        seconds = net.length_m[edges] / net.speed_mps[edges]
-        reached = np.concatenate([[0.0], np.cumsum(seconds)])
-        # A plan may drive at other speeds than the network's; shares of the time are alike.
-        share = reached / (reached[-1] or 1.0)
-        at = begin + (end - begin) * share
-        at[-1] = end
-        piece = -1
-        for k, edge in enumerate(leg.edges):
-            own = section_of.get(edge, -1)
-            if own >= 0 and own == piece:
-                found[-1] = (found[-1][0], float(at[k + 1]))
-            elif own >= 0:
-                found.append((float(at[k]), float(at[k + 1])))
-            piece = own
-    return found
-
-
-def event_time(plan: JointPlan, event: Event) -> float | None:
-    """Return when vehicles join or leave.
-
-    Parameters
-    ----------
-    plan : JointPlan
-        Whose vehicles they are.
-    event : Event
-        A merge or a separation.
-
-    Returns
-    -------
-    float or None
-        In seconds from the start of the timetable; None if the plan has no times.
-    """
-    if plan.timetable is None:
-        return None
-    mover = event.movers[0]
-    places = _platoon_legs(plan.vehicles[mover])
-    if not places:
-        return None
-    legs = plan.timetable.vehicles[mover].legs
-    return legs[places[0]][0] if event.kind == "merge" else legs[places[-1]][1]
-
-
-def waits_at(plan: JointPlan, event: Event, at: float | None) -> list[tuple[int, float]]:
+def waits_at(plan: Plan, event: Event, at: float | None) -> list[tuple[int, float]]:
     """Return who waits for others to join, as far as it is worth telling.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose vehicles they are.
     event : Event
         A merge; nobody waits for a separation.
     at : float or None
-        When it is [s], as `event_time` tells.
+        When it is [s].
 
     Returns
     -------
@@ -197,7 +120,3 @@ def waits_at(plan: JointPlan, event: Event, at: float | None) -> list[tuple[int,
             if wait >= MENTIONED_S and abs(begin - at) < 1:
                 found.append((index, wait))
     return found
-
-
-def _platoon_legs(vehicle: VehiclePlan) -> list[int]:
-    return [number for number, leg in enumerate(vehicle.legs) if leg.role == "platoon"]

@@ -8,7 +8,6 @@ from ..markup.quantities import clock_span, kilometres, litres, percent, true_mi
 from ..markup.shown_text import fitted, shortened, shown
 from .findings import Findings
 from .model import Figure, Group, Totals
-from .solo_costs import sum_over
 from .wording import cost_texts, counted, joined
 
 __all__ = ["groups", "subtitle_of", "title_of", "totals"]
@@ -50,13 +49,13 @@ def subtitle_of(found: Findings) -> str:
     str
         In one line.
     """
-    merges = sum(event.kind == "merge" for event in found.events)
+    merges = sum(event.kind == "merge" for event in found.plan.events)
     parts = [counted(len(found.plan.vehicles), "vehicle", "vehicles")]
     if len(found.groups) > 1:
         parts.append(f"{len(found.groups)} platoons")
-    if found.events:
+    if found.plan.events:
         parts.append(counted(merges, "merge point", "merge points"))
-        separations = len(found.events) - merges
+        separations = len(found.plan.events) - merges
         parts.append(counted(separations, "separation point", "separation points"))
     else:
         parts.append("no platoon")
@@ -77,8 +76,7 @@ def totals(found: Findings) -> Totals:
         With the three figures at the head of the page.
     """
     plan, unit = found.plan, found.unit
-    # The vehicles of a platoon share one road: its length counts once here.
-    road_m = sum(sum_over(found.net.length_m, section.edges) for section in found.sections)
+    road_m = plan.platoon_road_m
     alone_l = sum(vehicle.alone.fuel_l for vehicle in plan.vehicles)
     saved_l = alone_l - sum(vehicle.fuel_l for vehicle in plan.vehicles)
     extra_m = sum(vehicle.length_m - vehicle.alone.length_m for vehicle in plan.vehicles)
@@ -142,8 +140,8 @@ def groups(found: Findings) -> Iterator[Group]:
     alone = tuple(index for index in range(len(vehicles)) if index not in grouped)
     kinds = [("platoon", group) for group in found.groups] + [("alone", alone)] * bool(alone)
     for number, (kind, members) in enumerate(kinds, 1):
-        own = [section for section in found.sections if section.vehicles[0] in members]
-        road_m = sum(sum_over(found.net.length_m, section.edges) for section in own)
+        # The vehicles of a platoon share one road: its length counts once.
+        road_m = sum(one.length_m for one in found.platoons if one.vehicles[0] in members)
         before = sum(vehicles[index].solo_cost for index in members)
         after = sum(vehicles[index].joint_cost for index in members)
         facts = counted(len(members), "vehicle", "vehicles")

@@ -8,11 +8,13 @@ from ..markup.shown_text import fitted
 from .driver_fatigue import fatigue_along
 from .findings import Findings
 from .model_vehicle import Stop, Vehicle, VehicleTexts
-from .solo_costs import sum_over
 from .timeline import vehicle_day
 from .wording import cost_texts
 
 __all__ = ["ROLES", "vehicle"]
+
+LAST_DIGITS = 1e-9
+"""Share of a cost to which sums of the same roads agree, whatever their order."""
 
 ROLES = {"master": "master route", "member": "member", "alone": "stays alone"}
 
@@ -36,14 +38,16 @@ def vehicle(found: Findings, index: int) -> Vehicle:
     style = found.styles[index]
     saved = own.solo_cost - own.joint_cost
     detour = platoon_gain = None
-    if found.known is not None:
+    alone = [leg.alone_cost for leg in own.legs if leg.alone_cost is not None]
+    if len(alone) == len(own.legs):
         # saved = gain of the platoon on the way driven - what that way costs more alone
-        driven_alone = sum_over(found.known.solo, own.edges)
-        detour = max(driven_alone - own.solo_cost, 0.0)
+        detour = sum(alone) - own.solo_cost
+        # The last digits of two sums of the same roads are no detour.
+        detour = detour if detour > LAST_DIGITS * own.solo_cost else 0.0
         platoon_gain = saved + detour
     name = fitted(own.vehicle)
     costs = cost_texts(own.solo_cost, own.joint_cost, unit)
-    inferred_m = sum(leg.inferred_m for leg in own.legs)
+    inferred_m = own.inferred_m
     return Vehicle(
         name=name if name != style.letter else "",
         letter=style.letter,
@@ -79,7 +83,7 @@ def vehicle(found: Findings, index: int) -> Vehicle:
             detour="" if detour is None else unit.bare(detour),
         ),
         fatigue=fatigue_along(own, plan.times[index]),
-        times=vehicle_day(plan, index, found.net, found.sections),
+        times=vehicle_day(plan, index),
     )
 
 

@@ -10,13 +10,11 @@ import numpy as np
 
 from ...atomic_file import whole_file
 from ...network.road_network import ROAD_CLASSES, RoadNetwork
-from ...plans.events import Event, platoon_events
-from ...plans.records import JointPlan
-from ...plans.stretches import PlatoonSection, platoon_sections
+from ...plans.plan import Plan
+from ...plans.records import Event, Stretch
 from ..document.checks import check_path
+from ..document.findings import moment_of
 from ..document.provenance import credits, proof_text
-from ..document.solo_costs import sum_over
-from ..document.timeline import event_time
 from ..markup.quantities import cost_unit
 from ..markup.shown_text import shown
 from .legs import leg_columns, leg_rows, roads_of
@@ -29,7 +27,7 @@ __all__ = ["to_geodataframe", "write_geopackage"]
 CRS = "EPSG:4326"
 
 
-def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame:
+def to_geodataframe(plan: Plan, net: RoadNetwork) -> geopandas.GeoDataFrame:
     """Return the legs of all vehicles, one a row, as lines in EPSG:4326.
 
     Columns: vehicle, vehicle_role, leg (from 1), role, partners, origin, destination, roads,
@@ -39,7 +37,7 @@ def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose legs they are.
     net : RoadNetwork
         The network it was made on.
@@ -58,7 +56,7 @@ def to_geodataframe(plan: JointPlan, net: RoadNetwork) -> geopandas.GeoDataFrame
     return _lines_frame(leg_columns(plan, rows), [net.path_shape(row.edges) for row in rows])
 
 
-def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
+def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     """Write a plan as a GeoPackage; it appears whole or not at all.
 
     Layers: `routes` (as `to_geodataframe`), `platoons` (stretches of one company), `points`
@@ -67,7 +65,7 @@ def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is written.
     net : RoadNetwork
         The network it was made on.
@@ -84,12 +82,12 @@ def write_geopackage(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[
 
     path = check_path(path)
     routes = to_geodataframe(plan, net)
-    sections = platoon_sections(plan)
+    platoons = [stretch for stretch in plan.stretches if stretch.together]
     names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
     layers: list[tuple[str, Any, str | None]] = [
         ("routes", routes, "LineString"),
-        ("platoons", _platoons(net, sections, names), "LineString"),
-        ("points", _points(plan, platoon_events(plan, sections), names), "Point"),
+        ("platoons", _platoons(net, platoons, names), "LineString"),
+        ("points", _points(plan, plan.events, names), "Point"),
         ("network", _network(net), "LineString"),
         ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
     ]
@@ -120,22 +118,20 @@ def _lines_frame(columns: Mapping[str, Any], lines: Iterable[Any]) -> geopandas.
 
 
 def _platoons(
-    net: RoadNetwork, sections: Sequence[PlatoonSection], names: Sequence[str]
+    net: RoadNetwork, platoons: Sequence[Stretch], names: Sequence[str]
 ) -> geopandas.GeoDataFrame:
     return _lines_frame(
         {
-            "vehicles": [", ".join(names[i] for i in part.vehicles) for part in sections],
-            "size": np.array([len(part.vehicles) for part in sections], np.int32),
-            "roads": [roads_of(net, part.edges) for part in sections],
-            "length_m": np.array([sum_over(net.length_m, part.edges) for part in sections]),
+            "vehicles": [", ".join(names[i] for i in part.company) for part in platoons],
+            "size": np.array([len(part.vehicles) for part in platoons], np.int32),
+            "roads": [roads_of(net, part.edges) for part in platoons],
+            "length_m": np.array([part.length_m for part in platoons]),
         },
-        [net.path_shape(part.edges) for part in sections],
+        [net.path_shape(part.edges) for part in platoons],
     )
 
 
-def _points(
-    plan: JointPlan, events: Sequence[Event], names: Sequence[str]
-) -> geopandas.GeoDataFrame:
+def _points(plan: Plan, events: Sequence[Event], names: Sequence[str]) -> geopandas.GeoDataFrame:
     import geopandas
 
     rows: list[tuple[str, str, str, str, int | None, float, float]] = []
@@ -148,7 +144,7 @@ def _points(
         at = event.point
         who, others = (", ".join(names[i] for i in group) for group in (event.movers, event.others))
         rows.append((event.kind, shown(at.name), who, others, at.osm_id, at.lon, at.lat))
-        moments.append(event_time(plan, event))
+        moments.append(moment_of(plan, event))
     kinds, places, who_all, with_all, ids, lons, lats = zip(*rows, strict=True)
     import pandas as pd
 
@@ -165,7 +161,7 @@ def _points(
     )
 
 
-def _time_column(plan: JointPlan, moments: Sequence[float | None]) -> dict[str, list[str | None]]:
+def _time_column(plan: Plan, moments: Sequence[float | None]) -> dict[str, list[str | None]]:
     if plan.timetable is None:
         return {}
     clock = plan.timetable.clock
@@ -195,7 +191,7 @@ def _network(net: RoadNetwork) -> geopandas.GeoDataFrame:
     )
 
 
-def _about(plan: JointPlan, net: RoadNetwork) -> list[tuple[str, str]]:
+def _about(plan: Plan, net: RoadNetwork) -> list[tuple[str, str]]:
     identity = plan.network
     rows: list[tuple[str, Any]] = [
         ("attribution", " \u00b7 ".join(credits(plan, net))),

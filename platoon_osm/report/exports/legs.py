@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..document.checks import check_plan
 from ..document.provenance import credits
 from ..markup.shown_text import shown
@@ -73,12 +73,12 @@ class LegRow:
     edges: tuple[int, ...]
 
 
-def leg_rows(plan: JointPlan, net: RoadNetwork) -> list[LegRow]:
+def leg_rows(plan: Plan, net: RoadNetwork) -> list[LegRow]:
     """Return the legs of all vehicles; those without road are left out.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose legs they are.
     net : RoadNetwork
         The network it was made on.
@@ -97,7 +97,7 @@ def leg_rows(plan: JointPlan, net: RoadNetwork) -> list[LegRow]:
     return list(_rows(plan, net))
 
 
-def _rows(plan: JointPlan, net: RoadNetwork) -> Iterator[LegRow]:
+def _rows(plan: Plan, net: RoadNetwork) -> Iterator[LegRow]:
     credit = " \u00b7 ".join(credits(plan, net))
     for vehicle, times in zip(plan.vehicles, plan.times, strict=True):
         for number, leg in enumerate(vehicle.legs, 1):
@@ -130,12 +130,12 @@ def _rows(plan: JointPlan, net: RoadNetwork) -> Iterator[LegRow]:
             )
 
 
-def leg_columns(plan: JointPlan, rows: Sequence[LegRow]) -> dict[str, list[Cell]]:
+def leg_columns(plan: Plan, rows: Sequence[LegRow]) -> dict[str, list[Cell]]:
     """Return rows as columns; those of times only for a plan that has times.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         Whose legs they are.
     rows : sequence of LegRow
         Its legs.

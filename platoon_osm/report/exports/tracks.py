@@ -14,8 +14,10 @@ from numpy.typing import NDArray
 
 from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan, PlatoonPoint, Stop, VehiclePlan
+from ...plans.plan import Plan
+from ...plans.records import PlatoonPoint, Stop
 from ...plans.timetable import VehicleTimes
+from ...plans.vehicles import VehiclePlan
 from ..document.checks import check_path, check_plan
 from ..document.provenance import credits
 from ..drawing.vehicle_styles import vehicle_styles
@@ -33,7 +35,7 @@ FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "
 """Full-width ones count in some spreadsheets."""
 
 
-def write_gpx(plan: JointPlan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
+def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
     """Write a GPX file for each vehicle into a folder that exists.
 
     Each holds the start, the merge, the separation and the destination as waypoints, and the
@@ -43,7 +45,7 @@ def write_gpx(plan: JointPlan, net: RoadNetwork, folder: str | os.PathLike[str])
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is written.
     net : RoadNetwork
         The network it was made on.
@@ -76,7 +78,7 @@ def write_gpx(plan: JointPlan, net: RoadNetwork, folder: str | os.PathLike[str])
 
 
 def _gpx(
-    plan: JointPlan, net: RoadNetwork, vehicle: VehiclePlan, times: VehicleTimes | None
+    plan: Plan, net: RoadNetwork, vehicle: VehiclePlan, times: VehicleTimes | None
 ) -> ElementTree.Element:
     stamp = _stamp(plan)
     root = ElementTree.Element(
@@ -114,7 +116,7 @@ def _gpx(
     return root
 
 
-def _stamp(plan: JointPlan) -> Callable[[float], str] | None:
+def _stamp(plan: Plan) -> Callable[[float], str] | None:
     """Return what writes a moment [s] in UTC; None if the plan has no times or no zone."""
     if plan.timetable is None or plan.timetable.clock.start.utcoffset() is None:
         return None
@@ -160,14 +162,14 @@ def _child(
     return made
 
 
-def write_csv(plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
+def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     """Write the legs of a plan as CSV in UTF-8, with the columns of `to_geodataframe`.
 
     A text that a spreadsheet would run as a formula gets an apostrophe in front of it.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is written.
     net : RoadNetwork
         The network it was made on.

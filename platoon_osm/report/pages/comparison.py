@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
@@ -29,7 +29,7 @@ BARS_LEFT, BARS_RIGHT, BAR_ROW = 4.0, 480.0, 26
 
 
 def write_comparison(
-    plans: Sequence[JointPlan],
+    plans: Sequence[Plan],
     net: RoadNetwork,
     path: str | os.PathLike[str],
     *,
@@ -42,7 +42,7 @@ def write_comparison(
 
     Parameters
     ----------
-    plans : sequence of JointPlan
+    plans : sequence of Plan
         Two or more, of the same network; cases of one scenario, or other parameters.
     net : RoadNetwork
         The network they were made on.

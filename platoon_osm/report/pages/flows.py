@@ -7,7 +7,7 @@ import os
 
 from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
@@ -30,7 +30,7 @@ LEFT, RIGHT, TOP, BASE = 30.0, 366.0, 12.0, 150.0
 
 
 def write_flows(
-    plan: JointPlan, net: RoadNetwork, path: str | os.PathLike[str], *, title: str | None = None
+    plan: Plan, net: RoadNetwork, path: str | os.PathLike[str], *, title: str | None = None
 ) -> None:
     """Write the page of a plan with many vehicles; whole or not at all.
 
@@ -39,7 +39,7 @@ def write_flows(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.

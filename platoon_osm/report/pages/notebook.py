@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..document.checks import check_is_plan
 from ..document.vehicles import ROLES
 from ..markup.fragments import fill, join
@@ -12,12 +12,12 @@ from ..markup.shown_text import fitted
 __all__ = ["plan_table"]
 
 
-def plan_table(plan: JointPlan) -> str:
+def plan_table(plan: Plan) -> str:
     """Return a plan's vehicles and what each saves.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
 
     Returns

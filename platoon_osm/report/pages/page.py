@@ -10,7 +10,7 @@ from ...atomic_file import whole_file
 from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
-from ...plans.records import JointPlan
+from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.document import document_of
 from ..document.model import Document
@@ -25,7 +25,7 @@ __all__ = ["explore", "plan_map", "write_html"]
 
 
 def write_html(
-    plan: JointPlan,
+    plan: Plan,
     net: RoadNetwork,
     path: str | os.PathLike[str],
     *,
@@ -40,7 +40,7 @@ def write_html(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.
@@ -70,7 +70,7 @@ def write_html(
 
 
 def plan_map(
-    plan: JointPlan,
+    plan: Plan,
     net: RoadNetwork,
     *,
     title: str | None = None,
@@ -85,7 +85,7 @@ def plan_map(
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.
@@ -122,12 +122,12 @@ def _crediting(document: Document, tiles: Tiles) -> Document:
     return replace(document, provenance=replace(named, credits=(*named.credits, tiles.credit)))
 
 
-def explore(plan: JointPlan, net: RoadNetwork, *, height: int = 640, **options: Any) -> folium.Map:
+def explore(plan: Plan, net: RoadNetwork, *, height: int = 640, **options: Any) -> folium.Map:
     """Return the report of a plan for a notebook, which shows it as it is.
 
     Parameters
     ----------
-    plan : JointPlan
+    plan : Plan
         What is told.
     net : RoadNetwork
         The network the plan was made on.

@@ -8,14 +8,16 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from plans_by_legs import plan_of, with_vehicles
 from random_networks import network, problems
 
-from platoon_osm.costs.weights import paper_weights
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.planning.timing.schedule import ROUTES_GIVEN, schedule
-from platoon_osm.plans.records import JointPlan, Leg, NetworkIdentity, Stop, VehiclePlan
+from platoon_osm.plans.records import Leg, NetworkIdentity, Stop
 from platoon_osm.plans.trip import Trip
+from platoon_osm.plans.vehicles import VehiclePlan
 
 DAY = datetime(2026, 3, 2)
 MINUTE = 60.0
@@ -73,7 +75,7 @@ def company_plan(stretches, members):
             VehiclePlan(name, stop, stop, "member" if k else "master", tuple(legs), legs[0])
         )
     identity = NetworkIdentity("n", "", "", "", "", 1, 1, "i")
-    return JointPlan(tuple(vehicles), "C", "C", "member", "dijkstra", "m", {}, identity, {})
+    return plan_of(vehicles, network=identity)
 
 
 def minutes(timetable, name):
@@ -133,7 +135,7 @@ def test_latest_times_alone_are_met_just_in_time():
 def test_vehicles_without_any_link_to_a_time_leave_at_the_earliest_one_named():
     apart = company_plan([30], [])
     other = replace(apart.vehicles[0], vehicle="B")
-    plan = replace(apart, vehicles=(*apart.vehicles, other))
+    plan = with_vehicles(apart, (*apart.vehicles, other))
     found = schedule(plan, [trip("A", 360), trip("B")])
     assert minutes(found, "B") == [360, 360, 390]
 
@@ -214,13 +216,12 @@ def test_platoon_mates_need_the_same_time():
     slow = replace(member.legs[1], time_s=4000.0)
     broken = replace(member, legs=(member.legs[0], slow, member.legs[2]))
     with pytest.raises(ScenarioError, match="need from 3600 to 4000 s for one stretch"):
-        schedule(replace(ONE, vehicles=(ONE.vehicles[0], broken)), [trip("A", 1), trip("B")])
+        schedule(with_vehicles(ONE, (ONE.vehicles[0], broken)), [trip("A", 1), trip("B")])
 
 
 def test_platoon_mates_drive_the_same_legs():
-    alone = replace(ONE, vehicles=ONE.vehicles[:1])
     with pytest.raises(ScenarioError, match="'A' drives with 'B', which is not in the plan"):
-        schedule(alone, [trip("A", 1)])
+        schedule(with_vehicles(ONE, ONE.vehicles[:1]), [trip("A", 1)])
 
 
 def test_legs_in_a_circle():
@@ -231,7 +232,7 @@ def test_legs_in_a_circle():
         replace(second, legs=(replace(b, partners=("A",)), replace(a, partners=("A",)))),
     )
     with pytest.raises(ScenarioError, match="wait for each other in a circle"):
-        schedule(replace(ONE, vehicles=circle), [trip("A", 1), trip("B")])
+        schedule(with_vehicles(ONE, circle), [trip("A", 1), trip("B")])
 
 
 # -- brute force -----------------------------------------------------------------------------------

@@ -1,0 +1,107 @@
+"""What a plan is to save: anything that gives every edge its costs and prices waiting.
+
+A planner asks an objective for the weights of the edges and for the price of waiting, and nothing
+else. A new one needs no base class: a dataclass with these members will do, such as `PaperCosts`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..network.road_network import RoadNetwork
+from .weights import EdgeWeights
+
+__all__ = ["CostTerm", "Objective", "Role"]
+
+Floats = NDArray[np.float64]
+
+Role = Literal["alone", "master", "member"]
+"""In what company a vehicle drives: alone, leading others, or following."""
+
+
+class CostTerm(Protocol):
+    """One part of what driving costs, such as time or fuel; an objective adds up several."""
+
+    @property
+    def name(self) -> str:
+        """What it is called in tables."""
+        ...
+
+    @property
+    def unit(self) -> str:
+        """Unit of its costs; terms that are added up share it."""
+        ...
+
+    def per_edge(self, net: RoadNetwork, vehicle: object, role: Role) -> Floats:
+        """Return what each edge costs.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+        vehicle : object
+            Who drives; None for the standard vehicle.
+        role : {"alone", "master", "member"}
+            In what company.
+
+        Returns
+        -------
+        ndarray of float, (m,)
+            Cost of each edge, 0 or more.
+        """
+        ...
+
+
+class Objective(Protocol):
+    """What is to be least."""
+
+    @property
+    def name(self) -> str:
+        """What it is called in scenarios and plans."""
+        ...
+
+    @property
+    def unit(self) -> str:
+        """Unit of all costs: "m", "EUR", or any other."""
+        ...
+
+    @property
+    def params(self) -> Mapping[str, Any]:
+        """All that it depends on, for the record."""
+        ...
+
+    def weights(self, net: RoadNetwork, vehicle: object = None) -> EdgeWeights:
+        """Return what each edge costs a vehicle, alone and in a platoon.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+        vehicle : object
+            Who drives; None for the standard vehicle.
+
+        Returns
+        -------
+        EdgeWeights
+            Costs of the network's edges.
+        """
+        ...
+
+    def waiting(self, seconds: float) -> float:
+        """Return what waiting on the road costs.
+
+        Parameters
+        ----------
+        seconds : float
+            How long.
+
+        Returns
+        -------
+        float
+            Its cost, 0 if waiting is free.
+        """
+        ...

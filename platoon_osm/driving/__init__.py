@@ -1,0 +1,1 @@
+"""The law of driving times: what it forbids, and nothing else."""

@@ -1,0 +1,152 @@
+"""What is asked of the planner, in one record that is checked once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
+
+from ..costs.objective import Objective
+from ..costs.weights import EdgeWeights
+from ..driving.rules import NO_RULES, DrivingRules
+from ..errors import ScenarioError, brief
+from ..network.road_network import RoadNetwork
+from ..plans.trip import Trip, check_one_clock
+from ..search.protocol import EngineName
+from .cases import CASES
+from .routers import Method
+
+__all__ = ["Optimum", "Problem"]
+
+Optimum = Literal["member", "system"]
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A question to the planner: who goes where, and what is to be least.
+
+    Attributes
+    ----------
+    net : RoadNetwork
+        The network.
+    trips : tuple of Trip
+        One or more; any iterable of trips will do.
+    objective : Objective or EdgeWeights
+        What every edge costs and what waiting does.
+    rules : DrivingRules
+        Rules of driving times. What a plan breaks of them is remarked; they do not change it.
+    case : {"A", "B", "C", "D", "best"}
+        "A" members merge and stay, "B" start together and separate, "C" both, "D" two vehicles
+        whose routes are both free, "best" the cheapest of those that apply.
+    master : str or None
+        Name of the vehicle that keeps its route; by default that of the longest route.
+    method : {"dijkstra", "astar"}
+        "dijkstra" is exact; "astar" is the paper's inflated A*.
+    optimum : {"member", "system"}
+        Whose cost is least: each member's own (the paper), or that of members and master together.
+    engine : {"auto", "reference", "hierarchy"}
+        Which engine searches; routes do not depend on it.
+
+    Raises
+    ------
+    ScenarioError
+        Anything that is not what it should be, in one line.
+    """
+
+    net: RoadNetwork
+    trips: tuple[Trip, ...]
+    objective: Objective | EdgeWeights
+    rules: DrivingRules = NO_RULES
+    case: str = "best"
+    master: str | None = None
+    method: Method = "dijkstra"
+    optimum: Optimum = "member"
+    engine: EngineName = "auto"
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.net, RoadNetwork):
+            raise ScenarioError(
+                f"plan: net is a {_kind(self.net)}; give the network first, from load_network, "
+                "then weights and trips"
+            )
+        if isinstance(self.objective, type) or not hasattr(self.objective, "weights"):
+            raise ScenarioError(
+                f"plan: weights is a {_kind(self.objective)}; give edge weights, such as "
+                "paper_weights(net), or an objective"
+            )
+        object.__setattr__(self, "trips", _trips(self.trips))
+        for label, value, allowed in (
+            ("case", self.case, (*CASES, "best")),
+            ("optimum", self.optimum, get_args(Optimum)),
+            ("method", self.method, get_args(Method)),
+            ("engine", self.engine, get_args(EngineName)),
+        ):
+            check_choice(label, value, allowed)
+        if not callable(getattr(self.rules, "violations", None)):
+            raise ScenarioError(
+                f"plan: rules is a {_kind(self.rules)}; give driving rules, such as NO_RULES"
+            )
+        names = [trip.vehicle for trip in self.trips]
+        if self.master is not None and self.master not in names:
+            raise ScenarioError(
+                f"master {brief(self.master)} has no trip; vehicles are {', '.join(names)}"
+            )
+        for name in names:
+            if (times := names.count(name)) > 1:
+                raise ScenarioError(f"vehicle {name!r} has {times} trips; names must differ")
+        if self.case == "D" and len(self.trips) != 2:
+            raise ScenarioError(
+                f"case 'D' plans two vehicles, not {len(self.trips)}; use C for one master and "
+                "many members"
+            )
+        if self.case == "D" and self.method == "astar":
+            raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
+        check_one_clock(self.trips)
+
+    @property
+    def cases(self) -> tuple[str, ...]:
+        """The cases to be planned; of equally good ones the earlier is simpler."""
+        if self.case != "best":
+            return (self.case,)
+        pair = len(self.trips) == 2 and self.method == "dijkstra"
+        return tuple(case for case in CASES if case != "D" or pair)
+
+
+def check_choice(label: str, value: object, allowed: tuple[str, ...]) -> None:
+    """Check that a value is one of some words.
+
+    Parameters
+    ----------
+    label : str
+        What the value is, for the message.
+    value : object
+        Anything.
+    allowed : tuple of str
+        The words.
+
+    Raises
+    ------
+    ScenarioError
+        It is none of them.
+    """
+    if not isinstance(value, str) or value not in allowed:
+        raise ScenarioError(f"{label} {brief(value)} is unknown; use {', '.join(allowed)}")
+
+
+def _trips(given: Any) -> tuple[Trip, ...]:
+    if isinstance(given, Trip):
+        raise ScenarioError("plan: trips is a single Trip; put it in a list")
+    if isinstance(given, str | bytes | Mapping) or not isinstance(given, Iterable):
+        raise ScenarioError(f"plan: trips is a {_kind(given)}; give a list of Trip")
+    trips = tuple(given)
+    for number, trip in enumerate(trips, 1):
+        if not isinstance(trip, Trip):
+            remedy = "Trip(**it)" if isinstance(trip, Mapping) else "Trip(vehicle, from, to)"
+            raise ScenarioError(f"plan: trip {number} is a {_kind(trip)}; make it a {remedy}")
+    if not trips:
+        raise ScenarioError("plan: no trips; give at least one")
+    return trips
+
+
+def _kind(value: object) -> str:
+    return "class" if isinstance(value, type) else type(value).__name__

@@ -1,0 +1,124 @@
+"""What must hold in a plan before anybody relies on it, whoever made it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from graphlib import CycleError, TopologicalSorter
+
+from ..errors import ScenarioError
+from .records import Event, PlannedTrip, Platoon, Stretch
+from .timetable import Timetable
+
+__all__ = ["check_parts"]
+
+
+def check_parts(
+    trips: Sequence[PlannedTrip],
+    stretches: Sequence[Stretch],
+    ways: Sequence[Sequence[int]],
+    platoons: Sequence[Platoon],
+    events: Sequence[Event],
+    timetable: Timetable | None,
+) -> None:
+    """Check that the parts of a plan fit each other; nothing is asked of its network.
+
+    Parameters
+    ----------
+    trips, stretches, ways, platoons, events : sequence
+        Fields of `Plan`.
+    timetable : Timetable or None
+        Its times.
+
+    Raises
+    ------
+    ScenarioError
+        In one line: what does not fit.
+    """
+    count = len(trips)
+    _need(len(ways) == count, f"{count} trips have {len(ways)} ways")
+    for trip in trips:
+        alone = trip.alone
+        _finite(f"trip {trip.vehicle!r}", alone.length_m, alone.time_s, alone.fuel_l, alone.cost)
+    for number, stretch in enumerate(stretches):
+        _check_stretch(stretch, count, f"stretch {number}")
+    _check_ways(trips, stretches, ways)
+    for number, platoon in enumerate(platoons):
+        where = f"platoon {number}"
+        _positions(platoon.vehicles, count, where)
+        _need(
+            platoon.master is None or platoon.master in platoon.vehicles,
+            f"{where} has a master that is not in it",
+        )
+    for number, event in enumerate(events):
+        where = f"event {number}"
+        _positions((*event.movers, *event.others), count, where)
+        _need(event.kind in ("merge", "separation"), f"{where} is a {event.kind!r}")
+        _need(len(event.movers) > 0, f"{where} moves nobody")
+        _need(0 <= event.stretch < len(stretches), f"{where} is at no stretch")
+    own = [(trip.vehicle, len(way)) for trip, way in zip(trips, ways, strict=True)]
+    if timetable and own != [(times.vehicle, len(times.legs)) for times in timetable.vehicles]:
+        raise ScenarioError("plan: its timetable is that of other vehicles; plan again")
+
+
+def _check_stretch(stretch: Stretch, count: int, where: str) -> None:
+    _need(len(stretch.edges) > 0, f"{where} has no edges")
+    _need(len(stretch.vehicles) > 0, f"{where} has no vehicles")
+    _positions(stretch.vehicles, count, where)
+    _need(len(stretch.shares) == len(stretch.vehicles), f"{where} has not one share a vehicle")
+    _finite(where, stretch.length_m, stretch.drive_s, stretch.inferred_m)
+    for share in stretch.shares:
+        told = (value for value in (share.alone_cost, share.money) if value is not None)
+        _finite(where, share.cost, share.fuel_l, share.alone_fuel_l, *told)
+
+
+def _check_ways(
+    trips: Sequence[PlannedTrip], stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]
+) -> None:
+    driven: list[set[int]] = [set() for _ in stretches]
+    before: dict[int, set[int]] = {}
+    for index, way in enumerate(ways):
+        name = trips[index].vehicle
+        _need(len(way) > 0, f"{name!r} drives nothing")
+        for place, stretch in enumerate(way):
+            _need(
+                isinstance(stretch, int) and 0 <= stretch < len(stretches),
+                f"{name!r} drives no such stretch",
+            )
+            driven[stretch].add(index)
+            before.setdefault(stretch, set()).update(way[place - 1 : place] if place else ())
+    for number, own in enumerate(stretches):
+        _need(
+            driven[number] == set(own.vehicles),
+            f"stretch {number} is not driven by the vehicles it names",
+        )
+    try:
+        tuple(TopologicalSorter(before).static_order())
+    except CycleError:
+        raise ScenarioError(
+            "plan: its stretches wait for each other in a circle; plan again"
+        ) from None
+
+
+def _positions(vehicles: tuple[int, ...], count: int, where: str) -> None:
+    _need(
+        all(isinstance(one, int) and 0 <= one < count for one in vehicles)
+        and len(set(vehicles)) == len(vehicles),
+        f"{where} names vehicles that are not in the plan",
+    )
+
+
+def _finite(where: str, *values: float) -> None:
+    _need(_all_finite(values), f"{where} has a number that is not finite")
+
+
+def _all_finite(values: Iterable[float]) -> bool:
+    return all(
+        isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+        for value in values
+    )
+
+
+def _need(holds: bool, what: str) -> None:
+    if not holds:
+        raise ScenarioError(f"plan: {what}; it is damaged, plan again")

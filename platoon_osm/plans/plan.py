@@ -1,0 +1,252 @@
+"""What is answered: one immutable record of a plan, for a pair, a master with members, a fleet."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..atomic_file import whole_file
+from ..errors import ScenarioError
+from ..offers import offered
+from .checker import check_parts
+from .json_form import PLAN_VERSION, plan_from_dict
+from .proof import Proof
+from .records import Event, NetworkIdentity, PlannedTrip, Platoon, Stretch
+from .timetable import Timetable, VehicleTimes
+from .vehicles import VehiclePlan, vehicles_of
+
+if TYPE_CHECKING:
+    import folium
+
+    from ..network.road_network import RoadNetwork
+
+__all__ = ["JointPlan", "Plan"]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A plan for several vehicles: who drives which stretch with whom, and what each pays.
+
+    `vehicles` shows it as each vehicle sees it; it is read off the record when asked for.
+
+    Attributes
+    ----------
+    trips : tuple of PlannedTrip, (N,)
+        The vehicles and where they go, in the order of the trips asked for.
+    stretches : tuple of Stretch
+        Every stretch driven by one company, vehicle by vehicle in driving order, each once.
+    ways : tuple of tuple of int, (N, ...)
+        The stretches that each vehicle drives, in driving order.
+    platoons : tuple of Platoon
+        Who belongs together.
+    events : tuple of Event
+        Merges and separations, platoon by platoon in driving order.
+    case : str
+        "A", "B", "C" or "D".
+    asked : str
+        What was asked for ("best" among them).
+    objective : str
+        "member": each member pays least itself; "system": all together do.
+    method : str
+        "dijkstra" or "astar".
+    unit : str
+        Unit of all costs.
+    params : mapping of str to object
+        Parameters of the costs.
+    network : NetworkIdentity
+        The network it was made on.
+    proof : Proof
+        How good the plan is known to be, and under which conditions.
+    remarks : tuple of str
+        What a reader should know.
+    version : str
+        Of the package that made it.
+    timetable : Timetable or None
+        When each vehicle is where; None if no trip named a time.
+
+    Raises
+    ------
+    ScenarioError
+        Parts that do not fit each other.
+    """
+
+    trips: tuple[PlannedTrip, ...]
+    stretches: tuple[Stretch, ...]
+    ways: tuple[tuple[int, ...], ...]
+    platoons: tuple[Platoon, ...]
+    events: tuple[Event, ...]
+    case: str
+    asked: str
+    objective: str
+    method: str
+    unit: str
+    params: Mapping[str, Any]
+    network: NetworkIdentity
+    proof: Proof
+    remarks: tuple[str, ...] = ()
+    version: str = ""
+    timetable: Timetable | None = None
+    plan_version: int = field(default=PLAN_VERSION, init=False)
+
+    def __post_init__(self) -> None:
+        check_parts(
+            self.trips, self.stretches, self.ways, self.platoons, self.events, self.timetable
+        )
+
+    @cached_property
+    def vehicles(self) -> tuple[VehiclePlan, ...]:
+        """The plan as each vehicle sees it, in the order of the trips."""
+        return vehicles_of(self.trips, self.stretches, self.ways, self.platoons, self.events)
+
+    @property
+    def times(self) -> tuple[VehicleTimes | None, ...]:
+        """The times of each vehicle, all None if the plan has no timetable."""
+        return self.timetable.vehicles if self.timetable else (None,) * len(self.trips)
+
+    @property
+    def solo_cost(self) -> float:
+        """Cost if everyone drove alone."""
+        return sum(trip.alone.cost for trip in self.trips)
+
+    @property
+    def joint_cost(self) -> float:
+        """Cost as planned."""
+        return sum(vehicle.joint_cost for vehicle in self.vehicles)
+
+    @property
+    def saving(self) -> float:
+        """Share of the total cost saved."""
+        return 1 - self.joint_cost / self.solo_cost if self.solo_cost else 0.0
+
+    @property
+    def platoon_m(self) -> float:
+        """Vehicle-metres driven in the platoon."""
+        return sum(vehicle.platoon_m for vehicle in self.vehicles)
+
+    @property
+    def platoon_road_m(self) -> float:
+        """Road driven in platoons; the vehicles of one share it, so its length counts once."""
+        return sum(stretch.length_m for stretch in self.stretches if stretch.together)
+
+    @property
+    def members(self) -> tuple[VehiclePlan, ...]:
+        """Vehicles that merge with another."""
+        return tuple(vehicle for vehicle in self.vehicles if vehicle.role == "member")
+
+    def summary(self) -> str:
+        """Return the plan as a table for reading.
+
+        Returns
+        -------
+        str
+            One row a vehicle, then totals, points and what is proved.
+        """
+        return offered("summary")(self)  # type: ignore[no-any-return]
+
+    def explore(self, net: RoadNetwork, **options: Any) -> folium.Map:
+        """Return the plan's map and figures for a notebook; as `platoon_osm.explore`.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network the plan was made on.
+        **options : object
+            Such as `height`, `title`, `tiles`.
+
+        Returns
+        -------
+        folium.Map
+            Its page is that of `write_html`.
+        """
+        return offered("explore")(self, net, **options)  # type: ignore[no-any-return]
+
+    def _repr_html_(self) -> str:
+        """Return the table that a notebook shows of the plan."""
+        return offered("plan_table")(self)  # type: ignore[no-any-return]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain JSON types; `from_dict` gives the plan back.
+
+        Returns
+        -------
+        dict
+            As docs/plan.schema.json describes it.
+        """
+        return json.loads(json.dumps(asdict(self)))  # type: ignore[no-any-return]
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> Plan:
+        """Rebuild a plan from `to_dict`; plans of versions 1 and 2 open too.
+
+        Parameters
+        ----------
+        data : mapping
+            Plain JSON types.
+
+        Returns
+        -------
+        Plan
+            Of the current version, whatever the file's.
+
+        Raises
+        ------
+        ScenarioError
+            Another version of the format, or not a plan at all.
+        """
+        return plan_from_dict(cls, data)
+
+    def write_json(self, path: str | os.PathLike[str]) -> None:
+        """Write the plan as JSON, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            Of the file; its folder must exist.
+
+        Raises
+        ------
+        ScenarioError
+            The file cannot be written.
+        """
+        text = json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n"
+        with whole_file(path) as draft:
+            draft.write_text(text, encoding="utf-8")
+
+    @classmethod
+    def read_json(cls, path: str | os.PathLike[str]) -> Plan:
+        """Read a plan from a file that `write_json` wrote, of this version or an older one.
+
+        Parameters
+        ----------
+        path : str or path
+            Of the file.
+
+        Returns
+        -------
+        Plan
+            The plan.
+
+        Raises
+        ------
+        ScenarioError
+            A file that cannot be read, is no JSON, or holds no plan.
+        """
+        try:
+            data = json.loads(Path(path).read_text(encoding="utf-8"))
+        except OSError as error:
+            raise ScenarioError(f"{path}: cannot be read ({error.strerror})") from error
+        except (TypeError, ValueError, RecursionError):
+            raise ScenarioError(f"{path}: is no JSON file; plan again with --json") from None
+        try:
+            return cls.from_dict(data)
+        except ScenarioError as error:
+            raise ScenarioError(f"{path}: {error}") from error
+
+
+JointPlan = Plan
+"""What a plan was called when it had one master; the same class."""

@@ -1,0 +1,31 @@
+"""The examples run as they stand, where a newcomer would run them."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+from places import ROOT
+
+SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
+
+
+def run(script, folder, *arguments):
+    path = os.pathsep.join([str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])])
+    return subprocess.run(
+        [sys.executable, str(script), *arguments], cwd=folder, capture_output=True, text=True,
+        timeout=120, env={**os.environ, "PYTHONPATH": path}, check=False,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("script", SCRIPTS, ids=[script.name for script in SCRIPTS])
+def test_an_example_runs(script, tmp_path):
+    done = run(script, tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Proved optimal" in done.stdout
+
+
+def test_a_plan_from_its_parts_is_that_of_plan_joint(tmp_path):
+    done = run(ROOT / "examples" / "plan_from_parts.py", tmp_path, "page.html")
+    assert "the same as plan_joint: True" in done.stdout
+    assert "A plan from its parts" in (tmp_path / "page.html").read_text(encoding="utf-8")
