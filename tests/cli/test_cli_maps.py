@@ -23,7 +23,8 @@ def test_prepare_then_plan_on_the_saved_form(capsys):
     assert run("plan", "saved.toml", "--json", "saved.json") == 0
     assert run("plan", scenario(), "--json", "direct.json") == 0
     saved, direct = (json.loads(Path(f"{name}.json").read_text()) for name in ("saved", "direct"))
-    assert saved["vehicles"] == direct["vehicles"]
+    for part in ("trips", "stretches", "ways", "platoons", "events"):
+        assert saved[part] == direct[part]
     assert saved["network"]["identity"] == direct["network"]["identity"]
     assert saved["network"]["licence"] == direct["network"]["licence"] == "MIT"
 

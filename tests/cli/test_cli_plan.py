@@ -67,7 +67,7 @@ def test_trips_from_csv(capsys):
         'vehicle,origin,destination\nA,Torino,13.77 45.65\n"B, the second",Genova,Belluno\n'
     )
     assert run("plan", scenario(CSV), "--json", "a.json") == 0
-    vehicles = json.loads(Path("a.json").read_text())["vehicles"]
+    vehicles = json.loads(Path("a.json").read_text())["trips"]
     assert [item["vehicle"] for item in vehicles] == ["A", "B, the second"]
     assert vehicles[0]["destination"]["lon"] == pytest.approx(13.77, abs=0.1)
 
