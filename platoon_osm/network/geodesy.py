@@ -13,9 +13,19 @@ ECCENTRICITY_SQUARED = FLATTENING * (2 - FLATTENING)
 
 
 def metres_per_degree(lat: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Metres in one degree of longitude and of latitude at the given latitude [deg].
+    """Return metres in one degree of longitude and of latitude at the given latitude [deg].
 
     From the ellipsoid's radii of curvature: a prime-vertical one across, a meridional one along.
+
+    Parameters
+    ----------
+    lat : array_like
+        Degrees.
+
+    Returns
+    -------
+    tuple[NDArray[np.float64], NDArray[np.float64]]
+        Metres in one degree of longitude, and of latitude.
     """
     phi = np.radians(np.asarray(lat, np.float64))
     w = 1 - ECCENTRICITY_SQUARED * np.sin(phi) ** 2
@@ -32,6 +42,22 @@ def distance_m(
     Haversine on a sphere whose radius is the ellipsoid's in the direction of travel at the middle
     latitude. Against the geodesic the relative error is below 1e-6 up to 150 km, far beyond any
     map segment, and about 1e-4 at 3,000 km.
+
+    Parameters
+    ----------
+    lon1 : array_like
+        Longitude of the first points [deg].
+    lat1 : array_like
+        Latitude of the first points [deg].
+    lon2 : array_like
+        Longitude of the second points [deg].
+    lat2 : array_like
+        Latitude of the second points [deg].
+
+    Returns
+    -------
+    ndarray of float
+        Metres.
     """
     lam1, phi1, lam2, phi2 = (
         np.radians(np.asarray(value, np.float64)) for value in (lon1, lat1, lon2, lat2)
@@ -55,7 +81,22 @@ def distance_m(
 def east_north_m(
     lon: ArrayLike, lat: ArrayLike, origin_lat: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Flat coordinates [m] true to scale at `origin_lat` [deg]; for neighbourhoods only."""
+    """Flat coordinates [m] true to scale at `origin_lat` [deg]; for neighbourhoods only.
+
+    Parameters
+    ----------
+    lon : array_like
+        Degrees.
+    lat : array_like
+        Degrees.
+    origin_lat : float
+        Latitude where it is true to scale [deg].
+
+    Returns
+    -------
+    tuple[NDArray[np.float64], NDArray[np.float64]]
+        Metres to the east, and to the north.
+    """
     per_lon, per_lat = metres_per_degree(origin_lat)
     return np.asarray(lon, np.float64) * per_lon, np.asarray(lat, np.float64) * per_lat
 
@@ -63,7 +104,24 @@ def east_north_m(
 def bearing_deg(
     lon1: ArrayLike, lat1: ArrayLike, lon2: ArrayLike, lat2: ArrayLike
 ) -> NDArray[np.float64]:
-    """Direction of a short segment, degrees clockwise from north in [0, 360)."""
+    """Direction of a short segment, degrees clockwise from north in [0, 360).
+
+    Parameters
+    ----------
+    lon1 : array_like
+        Longitude of the first points [deg].
+    lat1 : array_like
+        Latitude of the first points [deg].
+    lon2 : array_like
+        Longitude of the second points [deg].
+    lat2 : array_like
+        Latitude of the second points [deg].
+
+    Returns
+    -------
+    ndarray of float
+        Degrees.
+    """
     lon1, lat1, lon2, lat2 = (np.asarray(v, np.float64) for v in (lon1, lat1, lon2, lat2))
     per_lon, per_lat = metres_per_degree((lat1 + lat2) / 2)
     east, north = (lon2 - lon1) * per_lon, (lat2 - lat1) * per_lat

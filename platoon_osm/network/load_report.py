@@ -15,10 +15,14 @@ class Source:
 
     Attributes
     ----------
-    name : file name, or what made the network.
-    sha256 : hex digest of the file's bytes; empty for a network made in memory.
-    extracted : when the data was cut from the map, ISO 8601, as the file says; else empty.
-    licence, attribution : to be shown with everything made from the data.
+    name : str
+        File name, or what made the network.
+    sha256 : str
+        Hex digest of the file's bytes; empty for a network made in memory.
+    extracted : str
+        When the data was cut from the map, ISO 8601, as the file says; else empty.
+    licence, attribution : str
+        To be shown with everything made from the data.
     """
 
     name: str = "in memory"
@@ -38,8 +42,10 @@ class LoadReport:
 
     Attributes
     ----------
-    counts : name of a count -> number.
-    remarks : one sentence each; what a user should know before trusting the network.
+    counts : mapping of str to int
+        Name of a count -> number.
+    remarks : tuple of str
+        One sentence each; what a user should know before trusting the network.
     """
 
     counts: Mapping[str, int] = field(default_factory=dict)
@@ -54,7 +60,20 @@ class LoadReport:
         return "\n".join([*lines, *(f"note: {remark}" for remark in self.remarks)])
 
     def extended(self, counts: Mapping[str, int], *remarks: str) -> LoadReport:
-        """Return a report with more counts (same names add up) and remarks."""
+        """Return a report with more counts (same names add up) and remarks.
+
+        Parameters
+        ----------
+        counts : mapping of str to int
+            Numbers by name.
+        *remarks : str
+            Sentences for the user.
+
+        Returns
+        -------
+        LoadReport
+            Another report.
+        """
         merged = dict(self.counts)
         for name, number in counts.items():
             merged[name] = merged.get(name, 0) + int(number)

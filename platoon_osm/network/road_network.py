@@ -62,12 +62,34 @@ class RoadNetwork(NetworkArrays):
         return self.load_report
 
     def shape(self, edge: int) -> Floats:
-        """Return the points of an edge, (k, 2) lon and lat, from its tail to its head."""
+        """Return the points of an edge, (k, 2) lon and lat, from its tail to its head.
+
+        Parameters
+        ----------
+        edge : int
+            Edge id.
+
+        Returns
+        -------
+        ndarray of float
+            Longitude and latitude [deg], (k, 2).
+        """
         part = slice(self.shape_first[edge], self.shape_first[edge + 1])
         return np.column_stack([self.shape_lon[part], self.shape_lat[part]])
 
     def path_shape(self, edges: ArrayLike) -> Floats:
-        """Return the points of a path of edges, (k, 2), without the doubled joints."""
+        """Return the points of a path of edges, (k, 2), without the doubled joints.
+
+        Parameters
+        ----------
+        edges : array_like
+            Edge ids.
+
+        Returns
+        -------
+        ndarray of float
+            Longitude and latitude [deg], (k, 2).
+        """
         ids = np.asarray(edges, np.int64)
         if not len(ids):
             return np.zeros((0, 2))
@@ -77,26 +99,81 @@ class RoadNetwork(NetworkArrays):
         return np.column_stack([self.shape_lon[order[keep]], self.shape_lat[order[keep]]])
 
     def path_nodes(self, edges: ArrayLike) -> NDArray[np.int64]:
-        """Return the k + 1 nodes that k consecutive edges pass."""
+        """Return the k + 1 nodes that k consecutive edges pass.
+
+        Parameters
+        ----------
+        edges : array_like
+            Edge ids.
+
+        Returns
+        -------
+        ndarray of int64
+            Node positions, (k + 1,).
+        """
         ids = np.asarray(edges, np.int64)
         if not len(ids):
             return np.zeros(0, np.int64)
         return np.concatenate([self.tail[ids[:1]], self.head[ids]]).astype(np.int64)
 
     def edge_ref(self, edge: int) -> str:
-        """Return the road number of an edge ("A 4"), empty if it has none."""
+        """Return the road number of an edge ("A 4"), empty if it has none.
+
+        Parameters
+        ----------
+        edge : int
+            Edge id.
+
+        Returns
+        -------
+        str
+            Road number.
+        """
         return str(self.texts[self.ref[edge]])
 
     def edge_name(self, edge: int) -> str:
-        """Return the road name of an edge, empty if it has none."""
+        """Return the road name of an edge, empty if it has none.
+
+        Parameters
+        ----------
+        edge : int
+            Edge id.
+
+        Returns
+        -------
+        str
+            Road name.
+        """
         return str(self.texts[self.name[edge]])
 
     def junction_name(self, node: int) -> str:
-        """Return the name signed at a node, empty if it has none."""
+        """Return the name signed at a node, empty if it has none.
+
+        Parameters
+        ----------
+        node : int
+            Node position.
+
+        Returns
+        -------
+        str
+            Name.
+        """
         return str(self.texts[self.node_name[node]])
 
     def incident_refs(self, node: int) -> tuple[str, ...]:
-        """Return the road numbers that meet at a node, sorted."""
+        """Return the road numbers that meet at a node, sorted.
+
+        Parameters
+        ----------
+        node : int
+            Node position.
+
+        Returns
+        -------
+        tuple of str
+            Road numbers.
+        """
         ins, first_in = self.incoming()
         edges = np.concatenate(
             [
@@ -111,6 +188,16 @@ class RoadNetwork(NetworkArrays):
 
         The junction's name; else its exit number with the road; else the road and the nearest
         town; else the coordinates.
+
+        Parameters
+        ----------
+        node : int
+            Node position.
+
+        Returns
+        -------
+        str
+            A name.
         """
         if name := self.junction_name(node):
             return name
@@ -260,11 +347,30 @@ class RoadNetwork(NetworkArrays):
     # -- what upper rooms offer ----------------------------------------------------------------
 
     def locate(self, place: Any, role: Role = "any") -> Location:
-        """Find the node of a place; see `platoon_osm.network.locate.locate`."""
+        """Find the node of a place; see `platoon_osm.network.locate.locate`.
+
+        Parameters
+        ----------
+        place : object
+            A node, a (lon, lat) pair, a `Location` or a name.
+        role : Role
+            "origin", "destination" or "any".
+
+        Returns
+        -------
+        Location
+            The place.
+        """
         return offered("locate")(self, place, role)  # type: ignore[no-any-return]
 
     def save(self, path: Any) -> None:
-        """Write the project's own form; see `platoon_osm.network.saved.store.save_network`."""
+        """Write the project's own form; see `platoon_osm.network.saved.store.save_network`.
+
+        Parameters
+        ----------
+        path : object
+            The file.
+        """
         offered("save_network")(self, path)
 
     def to_networkx(self) -> networkx.MultiDiGraph[int]:
@@ -273,7 +379,18 @@ class RoadNetwork(NetworkArrays):
 
     @classmethod
     def from_networkx(cls, graph: Any) -> RoadNetwork:
-        """Read an OSMnx-style graph; see `platoon_osm.sources.graphs.exchange.from_networkx`."""
+        """Read an OSMnx-style graph; see `platoon_osm.sources.graphs.exchange.from_networkx`.
+
+        Parameters
+        ----------
+        graph : object
+            The graph.
+
+        Returns
+        -------
+        RoadNetwork
+            The network.
+        """
         return offered("from_networkx")(graph)  # type: ignore[no-any-return]
 
     def to_geodataframes(self) -> tuple[geopandas.GeoDataFrame, geopandas.GeoDataFrame]:

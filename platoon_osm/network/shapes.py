@@ -19,9 +19,12 @@ def ragged_order(
 
     Parameters
     ----------
-    first : (m + 1,) where each row begins.
-    rows : (k,) rows to take, in order.
-    backwards : take each row's points from its end.
+    first : ndarray of int64, (m + 1,)
+        Where each row begins.
+    rows : ndarray, (k,)
+        Rows to take, in order.
+    backwards : bool
+        Take each row's points from its end.
 
     Returns
     -------
@@ -40,7 +43,22 @@ def ragged_order(
 def shape_lengths_m(
     first: NDArray[np.int64], lon: NDArray[Any], lat: NDArray[Any]
 ) -> NDArray[np.float64]:
-    """Return the length [m] of each row of a ragged array of points."""
+    """Return the length [m] of each row of a ragged array of points.
+
+    Parameters
+    ----------
+    first : ndarray of int64
+        Where each row begins.
+    lon : ndarray
+        Degrees.
+    lat : ndarray
+        Degrees.
+
+    Returns
+    -------
+    ndarray of float
+        Metres, (m,).
+    """
     if len(lon) < 2:
         return np.zeros(len(first) - 1)
     step = distance_m(lon[:-1], lat[:-1], lon[1:], lat[1:])

@@ -35,7 +35,18 @@ class TextTable(Sequence[str]):
 
     @classmethod
     def from_strings(cls, strings: Iterable[str]) -> TextTable:
-        """Build a table from strings, in their order."""
+        """Build a table from strings, in their order.
+
+        Parameters
+        ----------
+        strings : iterable of str
+            Texts in their order; the first must be empty.
+
+        Returns
+        -------
+        TextTable
+            With a code for each, its position.
+        """
         # A lone surrogate (broken input) must not stop a load: it becomes a question mark.
         encoded = [text.encode("utf-8", "replace") for text in strings]
         offsets = np.zeros(len(encoded) + 1, np.int64)
@@ -73,7 +84,18 @@ class TextTable(Sequence[str]):
 
 
 def encode_texts(*columns: Sequence[str]) -> tuple[TextTable, list[NDArray[np.int32]]]:
-    """Give each distinct string one code, shared by all columns; the empty string is code 0."""
+    """Give each distinct string one code, shared by all columns; the empty string is code 0.
+
+    Parameters
+    ----------
+    *columns : sequence of str
+        Lists of texts.
+
+    Returns
+    -------
+    tuple[TextTable, list[NDArray[np.int32]]]
+        The table, and the codes of each column.
+    """
     codes: dict[str, int] = {"": 0}
     encoded = [
         np.fromiter((codes.setdefault(text, len(codes)) for text in column), np.int32, len(column))

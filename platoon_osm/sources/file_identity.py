@@ -19,6 +19,16 @@ ATTRIBUTION = "© OpenStreetMap contributors"
 def read_bytes(file: Path) -> tuple[bytes, str]:
     """Return a file's content, unpacked if it is gzip, and the sha256 of the file itself.
 
+    Parameters
+    ----------
+    file : Path
+        The file.
+
+    Returns
+    -------
+    tuple[bytes, str]
+        Content, and hex digest.
+
     Raises
     ------
     MapDataError
@@ -38,5 +48,20 @@ def read_bytes(file: Path) -> tuple[bytes, str]:
 
 
 def osm_source(name: str, sha256: str = "", extracted: str = "") -> Source:
-    """Return the identity of data from OpenStreetMap, with its licence."""
+    """Return the identity of data from OpenStreetMap, with its licence.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    sha256 : str
+        Hex digest of the file.
+    extracted : str
+        When the data was cut from the map, ISO 8601.
+
+    Returns
+    -------
+    Source
+        The identity.
+    """
     return Source(name, sha256, extracted, LICENCE, ATTRIBUTION)

@@ -22,9 +22,12 @@ class RoadChoice:
 
     Parameters
     ----------
-    classes : the wanted values of `highway`.
-    rules : the truck.
-    unit : what is read, "ways" or "edges", for the names of the counts.
+    classes : sequence of str
+        The wanted values of `highway`.
+    rules : TruckRules
+        The truck.
+    unit : str
+        What is read, "ways" or "edges", for the names of the counts.
     """
 
     def __init__(self, classes: Sequence[str], rules: TruckRules, unit: str) -> None:
@@ -35,7 +38,18 @@ class RoadChoice:
         self.found: Counter[str] = Counter()
 
     def read(self, tags: Mapping[str, str]) -> WayReading | None:
-        """Return what the tags of a road mean, None if it is dropped."""
+        """Return what the tags of a road mean, None if it is dropped.
+
+        Parameters
+        ----------
+        tags : mapping of str to str
+            Tags of a road.
+
+        Returns
+        -------
+        WayReading or None
+            What they mean; None if the road is dropped.
+        """
         highway = tags.get("highway", "")
         self.counts[f"{self.unit} read"] += 1
         self.found[highway or "none"] += 1
@@ -55,7 +69,8 @@ class RoadChoice:
 
         Parameters
         ----------
-        what : the file or graph, to begin the message with.
+        what : str
+            The file or graph, to begin the message with.
 
         Raises
         ------
@@ -79,8 +94,17 @@ class RoadChoice:
 
         Parameters
         ----------
-        junctions : (n,) nodes to keep though the road only passes them.
-        remarks : sentences for the report.
+        net : RoadNetwork
+            The network.
+        junctions : ndarray of bool, (n,)
+            Nodes to keep though the road only passes them.
+        *remarks : str
+            Sentences for the report.
+
+        Returns
+        -------
+        RoadNetwork
+            The contracted network.
         """
         merged = merge_chains(net, junctions)
         ordered = sorted(self.counts, key=lambda name: not name.startswith(self.unit))

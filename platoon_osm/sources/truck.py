@@ -50,9 +50,11 @@ class TruckRules:
 
     Attributes
     ----------
-    country : ISO code whose motorway limit for trucks applies, such as "IT", "DE" or "US-CA";
-        None if not known, and then only the limiter caps.
-    limiter_kmh : what the vehicle's speed limiter allows (90 in the EU, Directive 92/6/EEC).
+    country : str or None
+        ISO code whose motorway limit for trucks applies, such as "IT", "DE" or "US-CA"; None
+        if not known, and then only the limiter caps.
+    limiter_kmh : float
+        What the vehicle's speed limiter allows (90 in the EU, Directive 92/6/EEC).
     """
 
     country: str | None = None
@@ -92,12 +94,18 @@ class WayReading:
 
     Attributes
     ----------
-    direction : 1 along the way, -1 against it, 0 both.
-    allowed : whether a truck may drive there.
-    speed_kmh : speed of a lone truck.
-    toll : whether the road costs toll for trucks.
-    remarks : what had to be defaulted, capped or ignored; counted by the loader.
-    backward_kmh : speed against the way; that of `speed_kmh` on a one-way road.
+    direction : int
+        1 along the way, -1 against it, 0 both.
+    allowed : bool
+        Whether a truck may drive there.
+    speed_kmh : float
+        Speed of a lone truck.
+    toll : bool
+        Whether the road costs toll for trucks.
+    remarks : tuple of str
+        What had to be defaulted, capped or ignored; counted by the loader.
+    backward_kmh : float
+        Speed against the way; that of `speed_kmh` on a one-way road.
     """
 
     direction: int
@@ -109,7 +117,20 @@ class WayReading:
 
 
 def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
-    """Read the tags of a road for a heavy vehicle."""
+    """Read the tags of a road for a heavy vehicle.
+
+    Parameters
+    ----------
+    tags : mapping of str to str
+        Tags of a road.
+    rules : TruckRules
+        The truck and the law.
+
+    Returns
+    -------
+    WayReading
+        What they mean.
+    """
     remarks: list[str] = []
     direction = _direction(tags, remarks)
     allowed = _allowed(tags)
@@ -133,7 +154,18 @@ DRIVING_TAGS = frozenset(
 
 
 def is_driving_tag(key: str) -> bool:
-    """Say whether `read_way` looks at a tag."""
+    """Say whether `read_way` looks at a tag.
+
+    Parameters
+    ----------
+    key : str
+        Key of a tag.
+
+    Returns
+    -------
+    bool
+        Whether it does.
+    """
     return key in DRIVING_TAGS or key.startswith("maxspeed") or key.endswith(":conditional")
 
 
@@ -206,6 +238,16 @@ def read_speed_kmh(text: str) -> float | None:
     Plain numbers are km/h; "65 mph" and "10 knots" are converted; of values per lane ("70|100")
     or in a list ("80;100") the lowest counts, for a truck keeps to the slow lane;
     "none" is no limit; "IT:motorway" and "walk" are the usual limits of their kind.
+
+    Parameters
+    ----------
+    text : str
+        Value of a tag.
+
+    Returns
+    -------
+    float or None
+        km/h, or None.
     """
     values = [_one_speed(part) for part in re.split(r"[|;]", text) if part.strip()]
     known = [value for value in values if value is not None]

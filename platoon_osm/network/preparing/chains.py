@@ -18,8 +18,10 @@ class Chains:
 
     Attributes
     ----------
-    segments : (s,) segment ids, chain after chain, in driving order.
-    first : (c + 1,) where each chain begins in `segments`.
+    segments : ndarray of int64, (s,)
+        Segment ids, chain after chain, in driving order.
+    first : ndarray of int64, (c + 1,)
+        Where each chain begins in `segments`.
     """
 
     segments: Index
@@ -35,9 +37,12 @@ def contract_chains(tail: Index, head: Index, node_count: int, keep: NDArray[np.
 
     Parameters
     ----------
-    tail, head : (s,) node positions of directed segments.
-    node_count : number of nodes.
-    keep : (node_count,) nodes that must stay.
+    tail, head : ndarray of int64, (s,)
+        Node positions of directed segments.
+    node_count : int
+        Number of nodes.
+    keep : ndarray of bool, (node_count,)
+        Nodes that must stay.
 
     Returns
     -------

@@ -18,12 +18,36 @@ TOLL_KEYS = ("toll:hgv", "toll:N3", "toll")
 
 
 def class_code(highway: str) -> int:
-    """Return the position of a class in `ROAD_CLASSES`; anything unknown is "other"."""
+    """Return the position of a class in `ROAD_CLASSES`; anything unknown is "other".
+
+    Parameters
+    ----------
+    highway : str
+        Value of the tag.
+
+    Returns
+    -------
+    int
+        A position.
+    """
     return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
 
 
 def edge_class(attributes: Attributes, choice: RoadChoice) -> str:
-    """Return the most important wanted class of an edge, else its most important one."""
+    """Return the most important wanted class of an edge, else its most important one.
+
+    Parameters
+    ----------
+    attributes : Attributes
+        What the graph says of the edge.
+    choice : RoadChoice
+        Which roads are wanted; keeps count.
+
+    Returns
+    -------
+    str
+        A value of `highway`.
+    """
     values = [str(value) for value in parts(attributes.get("highway"))]
     wanted = [kind for kind in values if kind in choice.classes]
     if wanted and len(values) > 1:
@@ -32,7 +56,22 @@ def edge_class(attributes: Attributes, choice: RoadChoice) -> str:
 
 
 def truck_tags(attributes: Attributes, highway: str, choice: RoadChoice) -> Mapping[str, str]:
-    """Return one value for each tag that matters to a truck, out of an edge's attributes."""
+    """Return one value for each tag that matters to a truck, out of an edge's attributes.
+
+    Parameters
+    ----------
+    attributes : Attributes
+        What the graph says of the edge.
+    highway : str
+        Value of the tag.
+    choice : RoadChoice
+        Which roads are wanted; keeps count.
+
+    Returns
+    -------
+    mapping of str to str
+        Values by key.
+    """
     tags = {"highway": highway}
     for key, value in attributes.items():
         if not is_driving_tag(key) or key in {"highway", "oneway", "junction"}:

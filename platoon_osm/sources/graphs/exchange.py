@@ -44,6 +44,16 @@ def to_networkx(net: RoadNetwork) -> networkx.MultiDiGraph[int]:
     of their own), `maxspeed` [km/h, text], `length` [m], `speed_kph`, `travel_time` [s], `toll`,
     `inferred`, `geometry` where the edge is not straight, and two that make the way back exact:
     `edge_id` and `speed_mps`. Service areas and towns (`net.points`) have no place in a graph.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+
+    Returns
+    -------
+    MultiDiGraph[int]
+        The graph.
     """
     import networkx
 
@@ -123,6 +133,16 @@ def _drawn(net: RoadNetwork) -> list[bool]:
 def directed_edges(graph: Any) -> list[EdgeRow]:
     """Return the edges of a directed graph, in the order of `edge_id` if they have one.
 
+    Parameters
+    ----------
+    graph : object
+        The graph.
+
+    Returns
+    -------
+    list of EdgeRow
+        Ends and attributes of each edge.
+
     Raises
     ------
     NetworkError
@@ -154,6 +174,16 @@ def from_networkx(graph: networkx.DiGraph[Any]) -> RoadNetwork:
     OpenStreetMap tags use `platoon_osm.sources.osmnx_graph.network_from_osmnx`. The speed is
     `speed_mps`, else `speed_kph`, else a numeric `maxspeed` [km/h], else 80 km/h, which is counted
     in the report. Node ids are kept if all are integers, else they are positions.
+
+    Parameters
+    ----------
+    graph : DiGraph
+        The graph.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
 
     Raises
     ------
@@ -213,7 +243,18 @@ def _read(column: Column, rows: Sequence[Attributes]) -> NDArray[Any]:
 
 
 def graph_source(graph: Any) -> Source:
-    """Return the source that `to_networkx` noted in a graph, also after a trip through a file."""
+    """Return the source that `to_networkx` noted in a graph, also after a trip through a file.
+
+    Parameters
+    ----------
+    graph : object
+        The graph.
+
+    Returns
+    -------
+    Source
+        The identity.
+    """
     noted = next(iter(parts(graph.graph.get("source"))), None)
     if not isinstance(noted, dict):
         return Source("graph in memory")
@@ -246,5 +287,16 @@ def _code(names: tuple[str, ...], value: Any) -> int:
 
 
 def way_id_of(osmid: Any) -> int:
-    """Return the lowest way id of an edge: simplified ones are made of several; 0 if none."""
+    """Return the lowest way id of an edge: simplified ones are made of several; 0 if none.
+
+    Parameters
+    ----------
+    osmid : object
+        One id or several.
+
+    Returns
+    -------
+    int
+        A way id.
+    """
     return whole_number(osmid) or 0

@@ -23,7 +23,18 @@ REMARK = (
 
 
 def is_freight_graph(graph: networkx.Graph[Any]) -> bool:
-    """Say whether nodes have `position_x` and `position_y` and edges `distance`, and no tags."""
+    """Say whether nodes have `position_x` and `position_y` and edges `distance`, and no tags.
+
+    Parameters
+    ----------
+    graph : Graph
+        The graph.
+
+    Returns
+    -------
+    bool
+        Whether it is one.
+    """
     node = next((data for _, data in graph.nodes(data=True)), {})
     edge = next((data for *_, data in graph.edges(data=True)), {})
     return (
@@ -38,6 +49,11 @@ def as_tagged(graph: networkx.Graph[Any]) -> None:
     """Give nodes and edges the attributes that OSMnx's graphs have, in place.
 
     Every node becomes a junction, for each is a place where vehicles start and arrive.
+
+    Parameters
+    ----------
+    graph : Graph
+        The graph.
 
     Raises
     ------
@@ -60,5 +76,18 @@ def as_tagged(graph: networkx.Graph[Any]) -> None:
 
 
 def freight_source(name: str, sha256: str) -> Source:
-    """Return the identity of such a file."""
+    """Return the identity of such a file.
+
+    Parameters
+    ----------
+    name : str
+        What it is called.
+    sha256 : str
+        Hex digest of the file.
+
+    Returns
+    -------
+    Source
+        The identity.
+    """
     return Source(name, sha256, "", LICENCE, ATTRIBUTION)

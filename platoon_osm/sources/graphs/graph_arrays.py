@@ -41,6 +41,11 @@ class GraphArrays:
 def check_degrees(crs: Any) -> None:
     """Refuse a graph whose coordinates are metres of a projection.
 
+    Parameters
+    ----------
+    crs : object
+        Name of a coordinate system.
+
     Raises
     ------
     NetworkError
@@ -69,6 +74,18 @@ def graph_arrays(
 
     A missing length [m] is that of the shape, a missing geometry the straight line. A geometry
     drawn from the end of the edge to its start is turned round.
+
+    Parameters
+    ----------
+    nodes : iterable of tuple[Hashable, Attributes]
+        Key and attributes of each.
+    edges : sequence of EdgeRow
+        Ends and attributes of each.
+
+    Returns
+    -------
+    GraphArrays
+        The geometry.
 
     Raises
     ------

@@ -15,6 +15,16 @@ def parts(value: Any) -> list[Any]:
 
     OSMnx's simplification puts the differing values of merged edges into a list, in no stable
     order, and its files keep that list as a string ("['80', '100']").
+
+    Parameters
+    ----------
+    value : object
+        An attribute, as a graph or a file has it.
+
+    Returns
+    -------
+    list of Any
+        Single values.
     """
     if isinstance(value, str) and value[:1] + value[-1:] in {"[]", "{}"}:
         try:
@@ -33,6 +43,16 @@ def joined(value: Any) -> str:
     """Return a name or road number as text; several are joined by ";" as OpenStreetMap does.
 
     A plain string comes back as it is, even "None", which is a town with a motorway exit.
+
+    Parameters
+    ----------
+    value : object
+        An attribute, as a graph or a file has it.
+
+    Returns
+    -------
+    str
+        The text.
     """
     # A list in a file holds two strings or more; "[x]" and "[1]" are somebody's names.
     if isinstance(value, str) and not (len(parts(value)) > 1 and "'" in value):
@@ -41,7 +61,18 @@ def joined(value: Any) -> str:
 
 
 def number(value: Any) -> float | None:
-    """Return a plain number, also from text; the lowest of a list; None if there is none."""
+    """Return a plain number, also from text; the lowest of a list; None if there is none.
+
+    Parameters
+    ----------
+    value : object
+        An attribute, as a graph or a file has it.
+
+    Returns
+    -------
+    float or None
+        The number.
+    """
     found = []
     for part in parts(value):
         try:
@@ -55,6 +86,16 @@ def whole_number(value: Any) -> int | None:
     """Return a whole number of 64 bits, also from text, the lowest of a list; else None.
 
     Not through `number`: ids above 2**53 would be rounded to another node's.
+
+    Parameters
+    ----------
+    value : object
+        An attribute, as a graph or a file has it.
+
+    Returns
+    -------
+    int or None
+        The number.
     """
     found = []
     for part in parts(value):
@@ -70,5 +111,16 @@ def whole_number(value: Any) -> int | None:
 
 
 def flag(value: Any) -> bool:
-    """Return whether any of the values says yes."""
+    """Return whether any of the values says yes.
+
+    Parameters
+    ----------
+    value : object
+        An attribute, as a graph or a file has it.
+
+    Returns
+    -------
+    bool
+        Whether it does.
+    """
     return any(str(part).strip().lower() in {"true", "yes", "1", "1.0"} for part in parts(value))

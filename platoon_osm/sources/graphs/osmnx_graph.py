@@ -48,10 +48,19 @@ def network_from_osmnx(
 
     Parameters
     ----------
-    graph : MultiDiGraph of OSMnx, or a DiGraph like it, in degrees.
-    classes : values of `highway` to keep.
-    rules : the truck.
-    source : identity to note; by default that of the graph.
+    graph : DiGraph
+        MultiDiGraph of OSMnx, or a DiGraph like it, in degrees.
+    classes : sequence of str
+        Values of `highway` to keep.
+    rules : TruckRules
+        The truck.
+    source : Source or None
+        Identity to note; by default that of the graph.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
 
     Raises
     ------
@@ -72,6 +81,20 @@ def read_graphml(
     path: str | os.PathLike[str], classes: Sequence[str], rules: TruckRules
 ) -> RoadNetwork:
     """Read a GraphML file saved by OSMnx, or one of the ETISplus long-distance network.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    classes : sequence of str
+        Values of `highway` to keep.
+    rules : TruckRules
+        The truck and the law.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
 
     Raises
     ------
@@ -133,6 +156,20 @@ def read_geopackage(
 
     By default OSMnx saves two-way roads as one line (`directed=False`); they get both directions.
     Of two one-way roads drawn on the very same line it then saves only one.
+
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    classes : sequence of str
+        Values of `highway` to keep.
+    rules : TruckRules
+        The truck and the law.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
 
     Raises
     ------

@@ -37,8 +37,17 @@ def read_osm(
 
     Parameters
     ----------
-    classes : values of the `highway` tag to load.
-    rules : how to read tags for a truck.
+    path : path-like
+        The file.
+    classes : sequence of str
+        Values of the `highway` tag to load.
+    rules : TruckRules or None
+        How to read tags for a truck.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
 
     Raises
     ------

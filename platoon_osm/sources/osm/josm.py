@@ -20,6 +20,16 @@ __all__ = ["deleted_ways", "new_node_positions", "xml_items"]
 def xml_items(path: Path) -> Iterator[ElementTree.Element]:
     """Yield the elements of an OSM XML file as they begin, packed or not.
 
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Yields
+    ------
+    Element
+        Elements, each as it begins.
+
     Raises
     ------
     OSError, ElementTree.ParseError
@@ -40,6 +50,16 @@ def xml_items(path: Path) -> Iterator[ElementTree.Element]:
 def deleted_ways(path: Path) -> frozenset[int]:
     """Return the ways that a draft marks to be deleted; JOSM keeps them until it uploads.
 
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    frozenset of int
+        Way ids.
+
     Raises
     ------
     MapDataError
@@ -56,6 +76,18 @@ def new_node_positions(path: Path, wanted: NDArray[np.int64]) -> dict[int, tuple
     """Return lon and lat, as they stand, of nodes with a negative id: not uploaded yet.
 
     libosmium's index of node locations holds positive ids only.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    wanted : ndarray of int64
+        Node ids.
+
+    Returns
+    -------
+    mapping of int, tuple[float to float]
+        Longitude and latitude by node id.
     """
     import osmium
 

@@ -55,12 +55,20 @@ class RawMap:
 
     Attributes
     ----------
-    way_id : (w,) int64
-    way_tags : (w,) each way's tags, still as OPL text; equal tags are equal texts.
-    first : (w + 1,) where each way's nodes begin.
-    ref, lon, lat : (k,) node ids and degrees along the ways; NaN where the file lacks the node.
-    nodes : id, tags as OPL text, lon and lat of each tagged node.
-    left_out : how many ways were left out, by reason.
+    way_id : ndarray of int64, (w,)
+        Ids of the ways.
+    way_tags : tuple of str, (w,)
+        Each way's tags, still as OPL text; equal tags are equal texts.
+    first : ndarray of int64, (w + 1,)
+        Where each way's nodes begin.
+    ref : ndarray of int64, (k,)
+        Node ids along the ways.
+    lon, lat : ndarray of float, (k,)
+        Degrees; NaN where the file lacks the node.
+    nodes : tuple[tuple[int, str, float, float], ...]
+        Id, tags as OPL text, lon and lat of each tagged node.
+    left_out : mapping of str to int
+        How many ways were left out, by reason.
     """
 
     source: Source
@@ -76,6 +84,18 @@ class RawMap:
 
 def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     """Read the roads of some classes, and the places that give them names.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    classes : sequence of str
+        Values of `highway` to keep.
+
+    Returns
+    -------
+    RawMap
+        What the file holds.
 
     Raises
     ------
@@ -156,6 +176,11 @@ class TagReader:
 
     Most pairs of a map are repeated thousands of times and most keys say nothing about driving, so
     each distinct pair is decoded once, and only if its key is wanted.
+
+    Parameters
+    ----------
+    wanted : callable
+        Says whether a key is wanted.
     """
 
     def __init__(self, wanted: Callable[[str], bool]) -> None:

@@ -30,6 +30,20 @@ def read_overpass_cache(
 ) -> RoadNetwork:
     """Read the ways of one Overpass answer in JSON ("out" or "out body", with the ways' nodes).
 
+    Parameters
+    ----------
+    path : path-like
+        The file.
+    classes : sequence of str
+        Values of `highway` to keep.
+    rules : TruckRules
+        The truck and the law.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
+
     Raises
     ------
     MapDataError

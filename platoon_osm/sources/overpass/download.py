@@ -58,13 +58,18 @@ def download(
     ----------
     place : a name that Nominatim knows with its boundary ("Liguria, Italy"), or a bounding box
         "west,south,east,north" in degrees.
-    output : file to write: `.graphml` for OSMnx, or `.platoon`, the project's own form.
-    classes : values of `highway` to fetch.
-    cache_dir : folder of OSMnx's cached answers; made if it does not exist.
-    rules : the truck, for a `.platoon` file.
+    output : path-like
+        File to write: `.graphml` for OSMnx, or `.platoon`, the project's own form.
+    classes : sequence of str
+        Values of `highway` to fetch.
+    cache_dir : path-like
+        Folder of OSMnx's cached answers; made if it does not exist.
+    rules : TruckRules or None
+        The truck, for a `.platoon` file.
     overpass_url, nominatim_url : other servers than OSMnx's own; one's own Overpass is not asked
         for a free slot first.
-    timeout_s : seconds that a request may take.
+    timeout_s : int
+        Seconds that a request may take.
 
     Returns
     -------
@@ -104,6 +109,16 @@ def download(
 def read_bounds(place: str) -> tuple[float, float, float, float] | None:
     """Read "west,south,east,north" in degrees; None if the text is a name.
 
+    Parameters
+    ----------
+    place : str
+        A bounding box "west,south,east,north", or a name.
+
+    Returns
+    -------
+    tuple[float, float, float, float] or None
+        West, south, east, north [deg].
+
     Raises
     ------
     ScenarioError
@@ -129,9 +144,12 @@ def osmnx_settings(cache_dir: Path, busy_retries: int, changes: dict[str, Any]) 
 
     Parameters
     ----------
-    cache_dir : folder of cached answers.
-    busy_retries : how often a busy server is asked again.
-    changes : further settings by name.
+    cache_dir : Path
+        Folder of cached answers.
+    busy_retries : int
+        How often a busy server is asked again.
+    changes : mapping of str to Any
+        Further settings by name.
     """
     from osmnx import settings
 
