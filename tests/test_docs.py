@@ -1,5 +1,6 @@
 """What the documents say is there: files, links, commands, names; and their examples run."""
 
+import ast
 import os
 import re
 import subprocess
@@ -8,6 +9,7 @@ import tomllib
 
 import pytest
 import yaml
+from numpydoc.docscrape import NumpyDocString
 from places import ROOT
 
 PACKAGE = ROOT / "platoon_osm"
@@ -17,6 +19,7 @@ DOCUMENTS = sorted(
     if path.name != "architecture.md"
 )
 NAMES = [str(path.relative_to(ROOT)) for path in DOCUMENTS]
+MODULES = sorted(PACKAGE.rglob("*.py"))
 BASES = (ROOT, PACKAGE, PACKAGE / "report")
 """What a path in a document may be counted from."""
 
@@ -194,3 +197,42 @@ def test_what_a_commit_checks_is_what_make_lint_checks():
         assert any(command.startswith(entry) for entry in entries), command
     for entry in entries:
         assert any(command.startswith(entry) for command in commands), entry
+
+
+def half_told(source):
+    """Return attributes, parameters and results without a type or a description.
+
+    numpydoc's validation looks at parameters only.
+    """
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.ClassDef | ast.FunctionDef) and not node.name.startswith("_"):
+            sections = NumpyDocString(ast.get_docstring(node) or "")
+            found += [
+                f"{node.name}: {item.name}"
+                for kind in ("Attributes", "Parameters", "Returns", "Yields")
+                for item in sections[kind]
+                if not item.desc or not item.type
+            ]
+    return found
+
+
+@pytest.mark.parametrize("path", MODULES, ids=[str(path.relative_to(PACKAGE)) for path in MODULES])
+def test_all_that_a_docstring_lists_has_a_type_and_a_meaning(path):
+    assert half_told(path.read_text()) == []
+
+
+def test_the_check_sees_what_is_half_told():
+    source = """class A:
+        '''A.
+
+        Attributes
+        ----------
+        b : int
+        c
+            Two.
+        d : int
+            Three.
+        '''
+    """
+    assert half_told(source) == ["A: b", "A: c"]
