@@ -8,7 +8,7 @@ BIN := $(VENV)/bin
 ROUNDS ?= 10
 STAMP := $(VENV)/.installed
 # Folders whose docstrings are in numpydoc's form.
-DOCUMENTED := platoon_osm/*.py platoon_osm/cli platoon_osm/study
+DOCUMENTED := platoon_osm/*.py platoon_osm/cli platoon_osm/costs platoon_osm/driving platoon_osm/planning platoon_osm/plans platoon_osm/report platoon_osm/search platoon_osm/study
 DEV_STAMP := $(VENV)/.installed-dev
 
 .PHONY: demo test lint bench soak screenshots lock clean

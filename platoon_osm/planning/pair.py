@@ -34,10 +34,16 @@ class PairPlan:
 
     Attributes
     ----------
-    cost : of both together; `solo_cost` if each drives alone.
-    merge, separation : nodes; -1 if they stay apart.
-    before, after : the two vehicles' edges before merging and after separating.
-    shared : edges they drive together.
+    cost : float
+        Of both together; `solo_cost` if each drives alone.
+    solo_cost : float
+        Of both, each alone.
+    merge, separation : int
+        Nodes; -1 if they stay apart.
+    before, after : tuple of ndarray of int, (2,)
+        The two vehicles' edges before merging and after separating.
+    shared : ndarray of int, (k,)
+        Edges they drive together.
     """
 
     cost: float
@@ -61,10 +67,21 @@ def plan_pair(
 
     Parameters
     ----------
+    net : RoadNetwork
+        The network.
+    weights : EdgeWeights
+        What its edges cost.
+    origins, destinations : tuple of int, (2,)
+        Nodes of both vehicles.
     engine : {"auto", "reference", "hierarchy"}
         Which engine; "auto" is the one that is likely faster.
     trees : Trees, optional
         Searches under `weights.solo` that are known already; `engine` is then theirs.
+
+    Returns
+    -------
+    PairPlan
+        The routes that cost least together.
 
     Raises
     ------

@@ -20,7 +20,8 @@ class Clock:
 
     Attributes
     ----------
-    start : when the seconds begin, with a fixed offset from UTC or without any zone.
+    start : datetime
+        When the seconds begin, with a fixed offset from UTC or without any zone.
     """
 
     start: datetime
@@ -28,6 +29,16 @@ class Clock:
     @classmethod
     def from_text(cls, start: str) -> Clock:
         """Return the clock that starts at an ISO 8601 moment.
+
+        Parameters
+        ----------
+        start : str
+            In ISO 8601.
+
+        Returns
+        -------
+        Clock
+            Whose seconds begin then.
 
         Raises
         ------
@@ -47,19 +58,51 @@ class Clock:
 
         Its offset from UTC stays that of the moment: no hour is lost or read twice where clocks
         change on the way.
+
+        Parameters
+        ----------
+        moment : datetime
+            With or without a zone.
+
+        Returns
+        -------
+        Clock
+            Whose seconds begin then.
         """
         offset = moment.utcoffset()
         return cls(moment if offset is None else moment.astimezone(timezone(offset)))
 
     def seconds(self, moment: datetime) -> float:
-        """Return how long after the start a moment is [s]."""
+        """Return how long after the start a moment is.
+
+        Parameters
+        ----------
+        moment : datetime
+            With a zone if the start has one.
+
+        Returns
+        -------
+        float
+            Seconds; below 0 before the start.
+        """
         if self.start.utcoffset() is not None:
             # Moments of one zone are subtracted by the face of the clock unless both are in UTC.
             return (moment.astimezone(UTC) - self.start.astimezone(UTC)).total_seconds()
         return (moment - self.start).total_seconds()
 
     def moment(self, seconds: float) -> datetime:
-        """Return the moment so many seconds after the start."""
+        """Return the moment so many seconds after the start.
+
+        Parameters
+        ----------
+        seconds : float
+            After the start.
+
+        Returns
+        -------
+        datetime
+            In the zone of the start.
+        """
         return self.start + timedelta(seconds=seconds)
 
     @property
@@ -72,18 +115,40 @@ class Clock:
 
     @property
     def since_midnight_s(self) -> float:
-        """Seconds from midnight to the start."""
+        """The seconds from midnight to the start."""
         midnight = self.start.replace(hour=0, minute=0, second=0, microsecond=0)
         return (self.start - midnight).total_seconds()
 
     def text(self, seconds: float) -> str:
-        """Return the time to the minute: "08:21", "00:10 +1 d" a day later."""
+        """Return the time to the minute: "08:21", "00:10 +1 d" a day later.
+
+        Parameters
+        ----------
+        seconds : float
+            After the start.
+
+        Returns
+        -------
+        str
+            Hours and minutes, with the number of days if it is another day.
+        """
         minutes = whole_minutes(self.since_midnight_s + seconds)
         days, minute = divmod(minutes, 24 * 60)
         return f"{minute // 60:02d}:{minute % 60:02d}" + (f" {days:+d} d" if days else "")
 
     def iso(self, seconds: float) -> str:
-        """Return the moment to the second in ISO 8601."""
+        """Return the moment to the second in ISO 8601.
+
+        Parameters
+        ----------
+        seconds : float
+            After the start.
+
+        Returns
+        -------
+        str
+            With the offset from UTC if the start has one.
+        """
         return self.moment(round(seconds)).isoformat(timespec="seconds")
 
 

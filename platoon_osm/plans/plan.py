@@ -125,7 +125,7 @@ class Plan:
 
     @property
     def platoon_m(self) -> float:
-        """Vehicle-metres driven in the platoon."""
+        """The vehicle-metres driven in the platoon."""
         return sum(vehicle.platoon_m for vehicle in self.vehicles)
 
     @property
@@ -135,7 +135,7 @@ class Plan:
 
     @property
     def members(self) -> tuple[VehiclePlan, ...]:
-        """Vehicles that merge with another."""
+        """The vehicles that merge with another."""
         return tuple(vehicle for vehicle in self.vehicles if vehicle.role == "member")
 
     def summary(self) -> str:

@@ -130,7 +130,7 @@ class Stretch:
 
     @property
     def company(self) -> tuple[int, ...]:
-        """Positions of its vehicles in the plan, ascending."""
+        """The positions of its vehicles in the plan, ascending."""
         return tuple(sorted(self.vehicles))
 
     @property

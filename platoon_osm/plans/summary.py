@@ -18,7 +18,18 @@ CASE_TITLES = {
 
 
 def summary(plan: Plan) -> str:
-    """Return the plan as text: one row a vehicle, then totals, points and what is proved."""
+    """Return the plan as text: one row a vehicle, then totals, points and what is proved.
+
+    Parameters
+    ----------
+    plan : Plan
+        Any.
+
+    Returns
+    -------
+    str
+        Lines of plain text.
+    """
     header: tuple[str, ...] = (
         "vehicle", "from", "to", "role", "alone", "joint", "saving", "platoon",
     )  # fmt: skip
@@ -63,7 +74,20 @@ def summary(plan: Plan) -> str:
 
 
 def kilometre_equivalents(plan: Plan, cost: float) -> str:
-    """Return a cost as people read it: metre-equivalents as km, money with two digits."""
+    """Return a cost as people read it: metre-equivalents as km, money with two digits.
+
+    Parameters
+    ----------
+    plan : Plan
+        Which names the unit.
+    cost : float
+        In that unit.
+
+    Returns
+    -------
+    str
+        Without the unit.
+    """
     return f"{cost / 1000:,.0f}" if plan.unit == "m" else f"{cost:,.2f}"
 
 

@@ -54,7 +54,20 @@ Row = dict[int, float]
 
 
 def with_times(plan: Plan, trips: Sequence[Trip]) -> Plan:
-    """Return a plan with its timetable; the plan itself if no trip names a time."""
+    """Return a plan with its timetable; the plan itself if no trip names a time.
+
+    Parameters
+    ----------
+    plan : Plan
+        Without times.
+    trips : sequence of Trip
+        Those of the plan's vehicles, by name.
+
+    Returns
+    -------
+    Plan
+        The same routes; remarks tell who is late.
+    """
     timetable = schedule(plan, trips)
     if timetable is None:
         return plan
@@ -81,7 +94,15 @@ def schedule(plan: Plan, trips: Sequence[Trip]) -> Timetable | None:
 
     Parameters
     ----------
-    trips : those of the plan's vehicles, by name.
+    plan : Plan
+        Without times.
+    trips : sequence of Trip
+        Those of the plan's vehicles, by name.
+
+    Returns
+    -------
+    Timetable or None
+        The best times for these routes, as the module's text says.
 
     Raises
     ------
