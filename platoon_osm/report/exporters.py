@@ -91,8 +91,11 @@ def _gpkg(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = No
 
 
 def _json(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .document.checks import check_is_plan, check_path
+
     del net, title  # a plan names its network itself
-    plan.write_json(path)
+    check_is_plan(plan)
+    plan.write_json(check_path(path))
 
 
 def _csv(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:

@@ -13,6 +13,7 @@ from platoon_osm import PlatoonError, report
 from platoon_osm.costs.paper import paper_weights
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.plan import JointPlan
+from platoon_osm.report.exporters import EXPORTERS
 from platoon_osm.report.pages.notebook import plan_table
 
 Call = Callable[..., Any]
@@ -153,6 +154,15 @@ def test_tiles_and_leaflet(tiles: Any, plan: JointPlan, net: RoadNetwork, tmp_pa
 @pytest.mark.parametrize("styles", [{}, 3, {"A": 1, "B": 2, "C": 3}, []])
 def test_styles_of_other_vehicles(styles: Any, plan: JointPlan, net: RoadNetwork) -> None:
     assert "style" in refused(report.report_document, plan, net, styles=styles)
+
+
+@pytest.mark.parametrize("name", EXPORTERS)
+def test_every_exporter(name: str, plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
+    write = EXPORTERS[name].write
+    for what in (None, plan.to_dict(), net):
+        assert "plan" in refused(write, what, net, tmp_path / "out", title="Title")
+    for path in (None, 3, ""):
+        assert "names no file" in refused(write, plan, net, path, title="Title")
 
 
 @pytest.mark.parametrize("what", [None, 3, {}, "plan"])
