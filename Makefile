@@ -1,14 +1,13 @@
-# Targets: demo (plan and draw the bundled corridor), test (lint, types, tests), bench (speed ratios),
-# soak (property tests on ROUNDS x new random inputs), screenshots (pictures of the demo page),
-# lock (renew the pinned dependencies), clean.
+# Targets: demo (plan and draw the bundled corridor), test (lint, then tests), lint (style,
+# docstrings, types, pages), bench (speed ratios), soak (property tests on ROUNDS x
+# new random inputs), screenshots (pictures of the demo page), lock (renew the pinned
+# dependencies), clean.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 ROUNDS ?= 10
 STAMP := $(VENV)/.installed
-# Folders whose docstrings are in numpydoc's form.
-DOCUMENTED := platoon_osm/*.py platoon_osm/cli platoon_osm/costs platoon_osm/driving platoon_osm/planning platoon_osm/plans platoon_osm/report platoon_osm/search platoon_osm/study
 DEV_STAMP := $(VENV)/.installed-dev
 
 .PHONY: demo test lint bench soak screenshots lock clean
@@ -22,7 +21,7 @@ test: $(DEV_STAMP) lint
 lint: $(DEV_STAMP)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/python -m numpydoc lint $$(find $(DOCUMENTED) -name '*.py')
+	$(BIN)/python -m numpydoc lint $$(find platoon_osm -name '*.py')
 	$(BIN)/mypy
 	$(BIN)/djlint --quiet --lint platoon_osm/report/assets
 	$(BIN)/oxlint --deny-warnings platoon_osm/report/assets

@@ -217,10 +217,6 @@ def half_told(source):
     return found
 
 
-# NET: all but network and sources
-MODULES = [p for p in MODULES if p.relative_to(PACKAGE).parts[0] not in ("network", "sources")]
-
-
 @pytest.mark.parametrize("path", MODULES, ids=[str(path.relative_to(PACKAGE)) for path in MODULES])
 def test_all_that_a_docstring_lists_has_a_type_and_a_meaning(path):
     assert half_told(path.read_text()) == []

@@ -28,8 +28,10 @@ def ragged_order(
 
     Returns
     -------
-    points : positions in the old flat array.
-    new_first : (k + 1,) where each taken row begins.
+    points : ndarray of int64
+        Positions in the old flat array.
+    new_first : ndarray of int64, (k + 1,)
+        Where each taken row begins.
     """
     size = np.diff(first)[rows]
     new_first = np.zeros(len(rows) + 1, np.int64)
