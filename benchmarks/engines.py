@@ -261,8 +261,9 @@ def pair_task(case: Case, report: Report, rounds: int, scipy: str = "scipy") -> 
             return float(limit)
         graph = slow_pair._forward[near][:, near]
         seeds = (u[0] + u[1])[near]
-        start = csr_array((seeds, (np.zeros(len(near), int), np.arange(len(near)))),
-                          shape=(1, len(near)))  # fmt: skip
+        start = csr_array(
+            (seeds, (np.zeros(len(near), int), np.arange(len(near)))), shape=(1, len(near))
+        )
         whole = block_array([[graph, csr_array((len(near), 1))], [start, None]], format="csr")
         dist = dijkstra(whole, indices=len(near))[:-1]
         return float((dist + v[0, near] + v[1, near]).min(initial=limit))

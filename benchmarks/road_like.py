@@ -34,8 +34,9 @@ def road_like(nodes: int, seed: int = 0) -> RoadNetwork:
     a, b = key // nodes, key % nodes
     away = np.hypot(*(xy[a] - xy[b]).T) + 1e-12
     tree = minimum_spanning_tree(csr_array((away, (a, b)), shape=(nodes, nodes))).tocoo()
-    in_tree = np.isin(key, np.minimum(*tree.coords).astype(np.int64) * nodes
-                      + np.maximum(*tree.coords))  # fmt: skip
+    in_tree = np.isin(
+        key, np.minimum(*tree.coords).astype(np.int64) * nodes + np.maximum(*tree.coords)
+    )
     rest = np.flatnonzero(~in_tree)
     wanted = max(0, int(EDGES_PER_NODE * nodes) - int(in_tree.sum()))
     luck = rng.random(len(rest)) * away[rest]

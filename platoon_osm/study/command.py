@@ -205,9 +205,7 @@ def write_results(
         output / "report.html", [(files[1], caption) for _, files, caption in drawn], shown,
         paragraph, {"seed": first.seed, "studies": [r.study.to_dict() for r in results]}, command,
     )  # fmt: skip
-    written = [
-        file for path, files, _ in drawn for file in (path.with_suffix(".csv"), *files)
-    ]  # fmt: skip
+    written = [file for path, files, _ in drawn for file in (path.with_suffix(".csv"), *files)]
     written += [output / name for name in ("comparison.csv", "results.parquet", "report.html")]
     how = f"Measured by `{command}`. Brackets hold 95 % bootstrap intervals over networks."
     return written, paragraph, markdown(shown, paragraph, how)

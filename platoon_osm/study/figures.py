@@ -246,8 +246,9 @@ def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int 
         To be saved by `save_figure`.
     """
     shown: tuple[tuple[str, Any], ...] = (
-        ("joined at all", "joined"), ("truly merge and separate", "merges and separates"),
-    )  # fmt: skip
+        ("joined at all", "joined"),
+        ("truly merge and separate", "merges and separates"),
+    )
     with _drawing():
         figure = _new_figure(1.75 * len(shown) + 0.35, layout="constrained")
         # Few panels make a narrow figure, not wide panels.
@@ -279,9 +280,10 @@ def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int 
                 if row == len(shown) - 1:
                     panel.set_xlabel("τ [%]")
             panels[0, column].set_title(
-                f"{_short(network_label(result))}\n{panels[0, column].get_title()}", fontsize=7,
+                f"{_short(network_label(result))}\n{panels[0, column].get_title()}",
+                fontsize=7,
                 pad=3,
-            )  # fmt: skip
+            )
         assert picture is not None
         figure.colorbar(
             picture, ax=panels, label="members involved [%], lines every 10 %", aspect=30, pad=0.01

@@ -208,9 +208,9 @@ class RandomNetwork:
         junctions = len(x)
         if self.spawning == "nodes":
             away = np.hypot(x[inside] - x[centre], y[inside] - y[centre])
-            origins = np.append(centre, rng.choice(
-                inside[away <= self.spawn_diameter_m / 2], others
-            ))  # fmt: skip
+            origins = np.append(
+                centre, rng.choice(inside[away <= self.spawn_diameter_m / 2], others)
+            )
         else:
             px, py = self._points(rng, x[centre], y[centre], others)
             away = np.hypot(px[:, None] - x[inside], py[:, None] - y[inside])
@@ -289,6 +289,4 @@ def _as_draw(
         texts=TextTable.from_strings([""]),
         source=Source("random network, Table 1 of the paper"), report=LoadReport(counts),
     )  # fmt: skip
-    return Draw(
-        net, origins, destinations, net.tail >= junctions, x, y, unconnected, impossible
-    )  # fmt: skip
+    return Draw(net, origins, destinations, net.tail >= junctions, x, y, unconnected, impossible)

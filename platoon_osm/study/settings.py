@@ -71,8 +71,9 @@ class Study:
                 "in the paper: leave positions out"
             )
         for name, allowed in (
-            ("methods", ("dijkstra", "astar")), ("mixings", ("printed", "gain")),
-        ):  # fmt: skip
+            ("methods", ("dijkstra", "astar")),
+            ("mixings", ("printed", "gain")),
+        ):
             chosen = getattr(self, name)
             if not chosen or len(set(chosen)) < len(chosen) or set(chosen) - set(allowed):
                 raise ScenarioError(

@@ -112,9 +112,10 @@ def _draws(results: Sequence[StudyResult]) -> ShownTable:
     both = astar and all("dijkstra" in r.study.methods for r in results)
     if astar:
         header += [
-            "A* alone above the optimum [%]", "worst vehicle [%]",
+            "A* alone above the optimum [%]",
+            "worst vehicle [%]",
             "heuristic over the true cost, median (10 % to 90 %)",
-        ]  # fmt: skip
+        ]
     if both:
         header += ["A* joint plan above Dijkstra's [%]"]
     rows = []
