@@ -13,11 +13,7 @@ from numpydoc.docscrape import NumpyDocString
 from places import ROOT
 
 PACKAGE = ROOT / "platoon_osm"
-DOCUMENTS = sorted(
-    path
-    for path in (*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), ROOT / "maps" / "README.md")
-    if path.name != "architecture.md"
-)
+DOCUMENTS = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), ROOT / "maps/README.md"])
 NAMES = [str(path.relative_to(ROOT)) for path in DOCUMENTS]
 MODULES = sorted(PACKAGE.rglob("*.py"))
 BASES = (ROOT, PACKAGE, PACKAGE / "report")
