@@ -9,6 +9,7 @@ two ways together (waiting free, vehicles alike).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,10 +17,10 @@ from numpy.typing import NDArray
 
 from ..costs.weights import EdgeWeights
 from ..network.road_network import RoadNetwork
-from ..search.joining import TIE
 from ..search.least_paths import LeastCosts, fewest_edges, good_edges
 from ..search.protocol import EngineName
 from ..search.searches import engine_for
+from ..search.tie_rule import TIE
 from ..search.trees import Trees
 
 __all__ = ["PairPlan", "plan_pair"]
@@ -91,8 +92,10 @@ def plan_pair(
     if trees is None:
         trees = Trees(engine_for(net, weights.solo, engine, 4))
     u, v = trees.trees(origins), trees.trees(destinations, forward=False)
-    paths = [u[k].path(destinations[k]) for k in (0, 1)]
     solo_cost = float(u[0].dist[destinations[0]] + u[1].dist[destinations[1]])
+    if not np.isfinite(solo_cost):
+        for tree, node in zip(u, destinations, strict=True):
+            tree.path(node)  # says which of them has no route
     pair_weight = weights.master + weights.platoon
     slack = TIE * solo_cost
     there, onward = [tree.dist for tree in u], [tree.dist for tree in v]
@@ -100,19 +103,15 @@ def plan_pair(
     near = np.flatnonzero(np.isfinite(together.dist))
     total = together.dist[near] + onward[0][near] + onward[1][near]
     least = float(total.min(initial=np.inf))
-    nothing = np.zeros(0, np.int64)
-    apart = PairPlan(
-        solo_cost, solo_cost, -1, -1, (paths[0], paths[1]), nothing, (nothing, nothing)
-    )
     if least > solo_cost + slack:
-        return apart
+        return _apart(u, destinations, solo_cost)
     limit = least + slack
     ends = {
         node: float(onward[0][node] + onward[1][node]) for node in near[total <= limit].tolist()
     }
     shared, end = _longest(net, together, pair_weight, ends, limit, slack)
     if not len(shared) or (least >= solo_cost - slack and not net.length_m[shared].any()):
-        return apart
+        return _apart(u, destinations, solo_cost)
     start = int(net.tail[shared[0]])
     return PairPlan(
         cost=float(together.dist[end] + onward[0][end] + onward[1][end]),
@@ -123,6 +122,13 @@ def plan_pair(
         shared=shared,
         after=(v[0].path(end), v[1].path(end)),
     )
+
+
+def _apart(there: Sequence[LeastCosts], destinations: tuple[int, int], cost: float) -> PairPlan:
+    """Return the plan in which each drives alone."""
+    first, second = (tree.path(node) for tree, node in zip(there, destinations, strict=True))
+    nothing = np.zeros(0, np.int64)
+    return PairPlan(cost, cost, -1, -1, (first, second), nothing, (nothing, nothing))
 
 
 def _longest(

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..search.joining import TIE
+from ..search.tie_rule import TIE
 from .cases import MemberPlans
 
 __all__ = ["SystemChoice", "choose_for_system", "lower_bound"]

@@ -12,16 +12,14 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["TIE", "Found", "Positions", "best_pairs", "entry_exit_costs", "only_at"]
+from .tie_rule import is_platoon, preferred, slack_of
+
+__all__ = ["Found", "Positions", "best_pairs", "entry_exit_costs", "only_at"]
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
 Found = tuple[Index, Index, Floats, Floats]
 Positions = tuple[Index, Index]
-
-TIE = 1e-11
-"""Costs that differ by less, relative to the cost alone, are equal: sums of the same edges in
-another order differ in their last digits, and the answer must not depend on it."""
 
 
 class _Distances(Protocol):
@@ -138,22 +136,17 @@ def best_pairs(
     total = np.full(entry.shape, np.inf)
     total[:, 1:] = lead[:, :-1] + platoon[1:] + leave[:, 1:]
     least = total.min(axis=1, initial=np.inf)
-    slack = TIE * np.where(np.isfinite(solo), solo, np.where(np.isfinite(least), least, 0.0))
     best_i = np.full(len(solo), -1, np.int64)
     best_j = np.full(len(solo), -1, np.int64)
     cost = solo.copy()
-    for member in np.flatnonzero(np.isfinite(least) & (least <= solo + slack)):
-        limit = least[member] + slack[member]
+    for member in np.flatnonzero(np.isfinite(least)):
+        slack = slack_of(solo[member], least[member])
+        if least[member] > solo[member] + slack:
+            continue
+        limit = least[member] + slack
         ends = np.flatnonzero(total[member] <= limit)
-        # The carried minimum never rises, so the first entry that is good enough is found by
-        # bisection; it is also the one with the longest platoon, for lengths only grow.
-        wanted = limit - platoon[ends] - leave[member, ends]
-        starts = np.searchsorted(-lead[member], -wanted, side="left")
-        together = length[ends] - length[np.minimum(starts, ends)]
-        best = int(np.lexsort((ends, starts, -together))[0])
-        i, j = int(starts[best]), int(ends[best])
-        # A platoon of no length is none, unless it is cheaper.
-        if i < j and (together[best] > 0 or least[member] < solo[member] - slack[member]):
+        i, j, together = preferred(ends, limit, lead[member], leave[member], platoon, length)
+        if i < j and is_platoon(together, least[member], solo[member], slack):
             best_i[member], best_j[member] = i, j
             cost[member] = entry[member, i] + (platoon[j] - platoon[i]) + leave[member, j]
     return best_i, best_j, cost

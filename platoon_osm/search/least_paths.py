@@ -35,7 +35,7 @@ from numpy.typing import NDArray
 
 from ..network.road_network import RoadNetwork
 from .arguments import checked_node, no_route
-from .joining import TIE
+from .tie_rule import TIE
 
 __all__ = ["GoodEdges", "LeastCosts", "fewest_edges", "good_edges"]
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..search.joining import TIE
+from ..search.tie_rule import TIE, in_order_of_preference, is_platoon
 
 __all__ = ["best_on_grid", "shared_metres"]
 
@@ -53,7 +53,7 @@ def best_on_grid(
     first, last = np.triu_indices(len(length), 1)
     together = length[last] - length[first]
     # In this order the first line within the tolerance is the one that ties prefer.
-    order = np.lexsort((last, first, -together))
+    order = in_order_of_preference(first, last, together)
     first, last, together = first[order], last[order], together[order]
     members, points = len(solo), len(factor)
     best_i = np.full((members, points), -1, np.int64)
@@ -94,8 +94,7 @@ def _best_lines(
     slack = TIE * solo[:, None]
     line = (values <= (least + slack)[:, :, None]).argmax(axis=2)
     value = np.take_along_axis(values, line[:, :, None], axis=2)[:, :, 0]
-    # A platoon of no length is none, unless it is cheaper.
-    real = (together[line] > 0) | (least < solo[:, None] - slack)
+    real = is_platoon(together[line], least, solo[:, None], slack)
     return line, value, (least <= solo[:, None] + slack) & real
 
 

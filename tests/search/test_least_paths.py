@@ -12,8 +12,8 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.pair import plan_pair
 from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
-from platoon_osm.search.joining import TIE
 from platoon_osm.search.least_paths import LeastCosts
+from platoon_osm.search.tie_rule import TIE
 
 EXAMPLES = settings(max_examples=150, deadline=None)
 ANY = st.one_of(networks(most_nodes=6, most_edges=14), tied_grids(), road_like_networks())

@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...joining import TIE, Found, Positions
+from ...joining import Found, Positions
+from ...tie_rule import is_platoon, preferred, slack_of
 from ..customization import Metric
 from ..runtime.jit import compiled
 from ..runtime.threads import run_all
@@ -26,6 +27,10 @@ Floats = NDArray[np.float64]
 BLOCK = 32
 """Members swept together: two tables of so many lanes stay in a core's second-level cache."""
 WORTH_A_THREAD = 64
+
+_slack_of = compiled(slack_of)
+_preferred = compiled(preferred)
+_is_platoon = compiled(is_platoon)
 
 
 def best_on_route(
@@ -88,7 +93,7 @@ def best_on_route(
     starts, ends = t.rank[origins], t.rank[destinations]
     arguments = (
         starts, ends, t.first, t.head, t.parent, metric.up, metric.down, part.local, part.first,
-        part.head, up, down, part.row, platoon, length_m, TIE, *(entries or free),
+        part.head, up, down, part.row, platoon, length_m, *(entries or free),
         *(exits or free), i, j, cost, solo,
     )  # fmt: skip
     width = min(BLOCK, max(8, -(-count // threads)))
@@ -103,7 +108,7 @@ def _blocks(
     order: Longs, worker: int, workers: int, width: int, starts: Ints, ends: Ints, first: Ints,
     head: Ints, parent: Ints, up: Floats, down: Floats, local: Ints, own_first: Ints,
     own_head: Ints, own_up: Floats, own_down: Floats, row: Ints, platoon: Floats,
-    length_m: Floats, tie: float, entry_first: Longs, entry_at: Longs, exit_first: Longs,
+    length_m: Floats, entry_first: Longs, entry_at: Longs, exit_first: Longs,
     exit_at: Longs, best_i: Longs, best_j: Longs, cost: Floats, solo: Floats,
 ) -> None:  # fmt: skip
     rows, stops = len(own_first) - 1, len(row)
@@ -111,7 +116,7 @@ def _blocks(
     arrive, leave = np.empty((rows, width)), np.empty((rows, width))
     entry, exit_ = np.empty((stops, width)), np.empty((stops, width))
     lead, total = np.empty((stops, width)), np.empty((stops, width))
-    least = np.empty(width)
+    least, good = np.empty(width), np.empty(stops, np.int64)
     reached, leads = np.empty(rows, np.bool_), np.empty(rows, np.bool_)
     for begin in range(worker * width, len(order), workers * width):
         members = order[begin : begin + width]
@@ -146,7 +151,7 @@ def _blocks(
         for lane in range(len(members)):
             m = members[lane]
             _choose(
-                m, lane, entry, exit_, lead, total, least[lane], platoon, length_m, tie, best_i,
+                m, lane, entry, exit_, lead, total, least[lane], platoon, length_m, good, best_i,
                 best_j, cost, solo,
             )  # fmt: skip
 
@@ -169,35 +174,23 @@ def _copy_allowed(
 @compiled
 def _choose(
     m: int, lane: int, entry: Floats, exit_: Floats, lead: Floats, total: Floats, least: float,
-    platoon: Floats, length_m: Floats, tie: float, best_i: Longs, best_j: Longs, cost: Floats,
+    platoon: Floats, length_m: Floats, good: Longs, best_i: Longs, best_j: Longs, cost: Floats,
     solo: Floats,
 ) -> None:  # fmt: skip
+    """Choose for one member by the rule of `tie_rule`; `good` (K + 1,) is room for positions."""
     alone = solo[m]
     cost[m] = alone
-    slack = tie * (alone if np.isfinite(alone) else (least if np.isfinite(least) else 0.0))
+    slack = _slack_of(alone, least)
     if not (np.isfinite(least) and least <= alone + slack):
         return
-    limit = least + slack
-    stops = len(platoon)
-    found_i = found_j = -1
-    longest = -1.0
-    for j in range(stops):
+    limit, count = least + slack, 0
+    for j in range(len(platoon)):
         if total[j, lane] <= limit:
-            wanted = limit - platoon[j] - exit_[j, lane]
-            # The carried minimum never rises: the first that is good enough, by bisection.
-            a, b = 0, stops
-            while a < b:
-                middle = (a + b) // 2
-                if lead[middle, lane] <= wanted:
-                    b = middle
-                else:
-                    a = middle + 1
-            together = length_m[j] - length_m[min(a, j)]
-            if together > longest or (together == longest and a < found_i):
-                longest, found_i, found_j = together, a, j
-    # A platoon of no length is none, unless it is cheaper.
-    if found_i < found_j and (longest > 0 or least < alone - slack):
-        best_i[m], best_j[m] = found_i, found_j
-        cost[m] = (
-            entry[found_i, lane] + (platoon[found_j] - platoon[found_i]) + exit_[found_j, lane]
-        )
+            good[count] = j
+            count += 1
+    i, j, together = _preferred(
+        good[:count], limit, lead[:, lane], exit_[:, lane], platoon, length_m
+    )
+    if i < j and _is_platoon(together, least, alone, slack):
+        best_i[m], best_j[m] = i, j
+        cost[m] = entry[i, lane] + (platoon[j] - platoon[i]) + exit_[j, lane]
