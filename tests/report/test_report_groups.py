@@ -18,7 +18,7 @@ from platoon_osm.report import report_document, write_html
 from platoon_osm.report.document.document import document_of
 from platoon_osm.report.document.findings import find
 from platoon_osm.report.maps.lanes import bands_width
-from platoon_osm.report.markup.fragments import fill
+from platoon_osm.report.markup.fragments import NOTHING, written
 from platoon_osm.report.pages.panel import page_body
 
 Visit = Callable[..., Any]
@@ -316,7 +316,7 @@ def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, veh
 
 def test_those_of_one_reason_share_a_note(many: JointPlan, net: RoadNetwork) -> None:
     alone = [v for v in report_document(many, net)["vehicles"] if v["role"] == "alone"]
-    text = page_body(document_of(many, net), fill("nothing"))
+    text = written(page_body(document_of(many, net), NOTHING))
     notes = re.findall(r"<span>([A-Z, ]+) stay alone: <bdi>", text)
     assert len(notes) == 1
     assert notes[0].split(", ") == [vehicle["letter"] for vehicle in alone]

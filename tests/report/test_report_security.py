@@ -18,7 +18,7 @@ from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
-from platoon_osm.report.markup.fragments import fill
+from platoon_osm.report.markup.fragments import Piece, written
 from platoon_osm.report.markup.security import json_for_html
 from platoon_osm.report.markup.shown_text import fitted, shown
 
@@ -207,10 +207,23 @@ def test_json_cannot_leave_its_element(name: str) -> None:
 
 
 def test_filled_values_are_escaped_and_read_once() -> None:
-    text = fill("item", text="$x <b> & \" '")
+    text = written(Piece("item", {"text": "$x <b> & \" '"}))
     assert text == "<li><bdi>$x &lt;b&gt; &amp; &quot; &#x27;</bdi></li>"
-    # Filled fragments are not escaped again; plain strings always are.
-    assert fill("item", text=text).count("<li>") == 2
-    assert fill("item", text=str.__str__(text)).count("<li>") == 1
+    # Written fragments are not escaped again; plain strings always are.
+    assert written(Piece("item", {"text": text})).count("<li>") == 2
+    assert written(Piece("item", {"text": str.__str__(text)})).count("<li>") == 1
     with pytest.raises(KeyError):
-        fill("item")
+        written(Piece("item"))
+    with pytest.raises(KeyError):
+        written(Piece("no such fragment"))
+
+
+def test_pieces_stand_one_a_line_and_texts_among_them_are_escaped() -> None:
+    item = Piece("item", {"text": "a"})
+    line = written(item)
+    assert written((item, item)) == f"{line}\n{line}"
+    assert written(((), item)) == f"\n{line}"
+    assert written(()) == ""
+    values: tuple[object, ...] = ("<b>", ["<i>", item], ("</p>",))
+    text = written(Piece("item", {"text": values}))
+    assert not {"<b>", "<i>", "</p>"} & set(re.findall(r"</?[bip]>", text))

@@ -11,7 +11,7 @@ from ..document.model_map import EventMark
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD, MOST_SPOKEN
 from ..drawing.ticks import hour_ticks, round_step
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["along_chart", "fatigue_chart"]
 
@@ -25,7 +25,7 @@ FITTED_H = 4.5
 ICON_WIDTH = 15.0
 
 
-def along_chart(document: Document, members: Sequence[int], key: str = "") -> Markup:
+def along_chart(document: Document, members: Sequence[int], key: str = "") -> Tree:
     """Return the way of some vehicles by distance: platoon in yellow, merges and separations.
 
     Parameters
@@ -39,7 +39,7 @@ def along_chart(document: Document, members: Sequence[int], key: str = "") -> Ma
 
     Returns
     -------
-    Markup
+    Tree
         An SVG; nothing if there is no common scale.
     """
     scale = document.journey
@@ -55,64 +55,70 @@ def along_chart(document: Document, members: Sequence[int], key: str = "") -> Ma
     ]
     here = frozenset(members)
     events = [event for event in document.events if event.concerns(here)]
-    return fill(
+    return Piece(
         "along",
-        key=key,
-        height=bottom + 20,
-        zero=LEFT,
-        end=RIGHT,
-        per_metre=f"{per_metre:.9g}",
-        bottom=bottom,
-        rows=join(rows),
-        ticks=join(_ticks(end_m / 1000, per_metre * 1000, bottom)),
-        events=join(_event_marks(events, per_metre, bottom)),
-        title="; ".join(
-            f"{vehicles[i].letter} {vehicles[i].length_text}" for i in members[:MOST_SPOKEN]
-        ),
+        {
+            "key": key,
+            "height": bottom + 20,
+            "zero": LEFT,
+            "end": RIGHT,
+            "per_metre": f"{per_metre:.9g}",
+            "bottom": bottom,
+            "rows": tuple(rows),
+            "ticks": tuple(_ticks(end_m / 1000, per_metre * 1000, bottom)),
+            "events": tuple(_event_marks(events, per_metre, bottom)),
+            "title": "; ".join(
+                f"{vehicles[i].letter} {vehicles[i].length_text}" for i in members[:MOST_SPOKEN]
+            ),
+        },
     )
 
 
-def _along_row(document: Document, index: int, at: float, y: float, per_metre: float) -> Markup:
+def _along_row(document: Document, index: int, at: float, y: float, per_metre: float) -> Piece:
     vehicle = document.vehicles[index]
     first = LEFT + at * per_metre
-    bands: list[Markup] = []
+    bands: list[Piece] = []
     for kind, piece in vehicle.way:
         length = document.piece_m(kind, piece)
         if kind == "platoon":
             x = f"{LEFT + at * per_metre:.1f}"
-            bands.append(fill("along-band", x=x, width=f"{length * per_metre:.1f}"))
+            bands.append(Piece("along-band", {"x": x, "width": f"{length * per_metre:.1f}"}))
         at += length
-    return fill(
+    return Piece(
         "along-row",
-        y=f"{y:g}",
-        colour=vehicle.colour,
-        letter=vehicle.letter,
-        size=vehicle.letter_size,
-        bands=join(bands),
-        x1=f"{first:.1f}",
-        x2=f"{LEFT + at * per_metre:.1f}",
-        square=f"{LEFT + at * per_metre - 3.5:.1f}",
-        dash=vehicle.stroke,
-        cap=vehicle.cap,
+        {
+            "y": f"{y:g}",
+            "colour": vehicle.colour,
+            "letter": vehicle.letter,
+            "size": vehicle.letter_size,
+            "bands": tuple(bands),
+            "x1": f"{first:.1f}",
+            "x2": f"{LEFT + at * per_metre:.1f}",
+            "square": f"{LEFT + at * per_metre - 3.5:.1f}",
+            "dash": vehicle.stroke,
+            "cap": vehicle.cap,
+        },
     )
 
 
-def _ticks(last: float, per_unit: float, bottom: float, unit: str = "km") -> Iterator[Markup]:
+def _ticks(last: float, per_unit: float, bottom: float, unit: str = "km") -> Iterator[Piece]:
     """Yield marks of a scale that begins at 0, at most `MOST_TICKS` and the first of them."""
     step = round_step(last / MOST_TICKS)
     count = int(last / step + 1e-9)
     for k in range(count + 1):
         text = f"{k * step:g}"
-        yield fill(
+        yield Piece(
             "tick",
-            x=f"{LEFT + k * step * per_unit:.1f}",
-            bottom=bottom,
-            text_y=bottom + 14,
-            text=f"{text} {unit}" if k == count else text,
+            {
+                "x": f"{LEFT + k * step * per_unit:.1f}",
+                "bottom": bottom,
+                "text_y": bottom + 14,
+                "text": f"{text} {unit}" if k == count else text,
+            },
         )
 
 
-def _event_marks(events: Sequence[EventMark], per_metre: float, bottom: float) -> Iterator[Markup]:
+def _event_marks(events: Sequence[EventMark], per_metre: float, bottom: float) -> Iterator[Piece]:
     last = -math.inf
     placed = [(event.at_m, event) for event in events if event.at_m is not None]
     for at_m, event in sorted(placed, key=lambda one: one[0]):
@@ -120,17 +126,19 @@ def _event_marks(events: Sequence[EventMark], per_metre: float, bottom: float) -
         # Icons of points near each other stand side by side; their lines tell the true place.
         icon = max(x, last + ICON_WIDTH)
         last = icon
-        yield fill(
+        yield Piece(
             "along-event",
-            x=f"{x:.1f}",
-            icon_x=f"{icon:.1f}",
-            icon=event.kind,
-            bottom=bottom,
-            title=f"{event.name}: {event.text}",
+            {
+                "x": f"{x:.1f}",
+                "icon_x": f"{icon:.1f}",
+                "icon": event.kind,
+                "bottom": bottom,
+                "title": f"{event.name}: {event.text}",
+            },
         )
 
 
-def fatigue_chart(document: Document) -> Markup:
+def fatigue_chart(document: Document) -> Tree:
     """Return fatigue along the day, alone and as planned, a row for each vehicle.
 
     The day is that of the clock where the plan has times, else hours of driving.
@@ -142,7 +150,7 @@ def fatigue_chart(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Tree
         An SVG; nothing for a crowd, whose table would not be read.
     """
     vehicles = document.vehicles
@@ -170,37 +178,39 @@ def fatigue_chart(document: Document) -> Markup:
         for place, (vehicle, leave) in enumerate(zip(vehicles, leaves, strict=True))
     ]
     beyond = any(curve.beyond for curve in curves)
-    return fill(
+    return Piece(
         "fatigue",
-        height=bottom + 20,
-        rows=join(rows),
-        ticks=join(
-            (
-                fill(
-                    "tick",
-                    x=f"{LEFT + (moment - begin_s) / 3600 * per_hour:.1f}",
-                    bottom=bottom,
-                    text_y=bottom + 14,
-                    text=text,
+        {
+            "height": bottom + 20,
+            "rows": tuple(rows),
+            "ticks": tuple(
+                (
+                    Piece(
+                        "tick",
+                        {
+                            "x": f"{LEFT + (moment - begin_s) / 3600 * per_hour:.1f}",
+                            "bottom": bottom,
+                            "text_y": bottom + 14,
+                            "text": text,
+                        },
+                    )
+                    for moment, text in hour_ticks(schedule.clock, begin_s, begin_s + hours * 3600)
                 )
-                for moment, text in hour_ticks(schedule.clock, begin_s, begin_s + hours * 3600)
-            )
-            if schedule
-            else _ticks(hours, per_hour, bottom, "h")
-        ),
-        heading=fill("fatigue-by-clock" if schedule else "fatigue-by-hours"),
-        waits=fill("fatigue-waits") if schedule else NOTHING,
-        held=fill("fatigue-held") if beyond else NOTHING,
-        title="; ".join(
-            f"{v.letter}: {v.fatigue.alone_peak:.0f} alone, {v.fatigue.joint_peak:.0f} as planned"
-            for v in vehicles
-        ),
+                if schedule
+                else _ticks(hours, per_hour, bottom, "h")
+            ),
+            "heading": Piece("fatigue-by-clock" if schedule else "fatigue-by-hours"),
+            "waits": Piece("fatigue-waits") if schedule else NOTHING,
+            "held": Piece("fatigue-held") if beyond else NOTHING,
+            "title": "; ".join(
+                f"{vehicle.letter}: {one.alone_peak:.0f} alone, {one.joint_peak:.0f} as planned"
+                for vehicle, one in zip(vehicles, fatigues, strict=True)
+            ),
+        },
     )
 
 
-def _curve_row(
-    vehicle: Vehicle, y: float, left: float, per_hour: float, per_point: float
-) -> Markup:
+def _curve_row(vehicle: Vehicle, y: float, left: float, per_hour: float, per_point: float) -> Tree:
     fatigue = vehicle.fatigue
     base = float(CURVE_HEIGHT)
 
@@ -219,17 +229,19 @@ def _curve_row(
 
     joint = path(fatigue.joint)
     first, last = joint.split(" ")[0], joint.rsplit(" ", 1)[-1]
-    return fill(
+    return Piece(
         "fatigue-row",
-        y=f"{y:g}",
-        colour=vehicle.colour,
-        letter=vehicle.letter,
-        size=vehicle.letter_size,
-        alone=path(fatigue.alone),
-        joint=joint,
-        area=f"{first.split(',')[0]},{base:g} {joint} {last.split(',')[0]},{base:g}",
-        base=f"{base:g}",
-        right=f"{RIGHT - 30:g}",
-        peak=f"{fatigue.joint_peak:.0f}",
-        alone_peak=f"{fatigue.alone_peak:.0f}",
+        {
+            "y": f"{y:g}",
+            "colour": vehicle.colour,
+            "letter": vehicle.letter,
+            "size": vehicle.letter_size,
+            "alone": path(fatigue.alone),
+            "joint": joint,
+            "area": f"{first.split(',')[0]},{base:g} {joint} {last.split(',')[0]},{base:g}",
+            "base": f"{base:g}",
+            "right": f"{RIGHT - 30:g}",
+            "peak": f"{fatigue.joint_peak:.0f}",
+            "alone_peak": f"{fatigue.alone_peak:.0f}",
+        },
     )

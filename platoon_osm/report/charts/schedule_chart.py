@@ -11,7 +11,7 @@ from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD, MOST_SPOKEN
 from ..drawing.palette import INK, LATE, MUTED
 from ..drawing.ticks import hour_ticks
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["BEYOND", "late_note", "schedule_chart"]
 
@@ -26,7 +26,7 @@ BEYOND = 0.25
 """Latest arrivals are drawn up to this share of the day after the last arrival."""
 
 
-def schedule_chart(document: Document, members: Sequence[int], key: str = "") -> Markup:
+def schedule_chart(document: Document, members: Sequence[int], key: str = "") -> Tree:
     """Return the day of some vehicles.
 
     A crowd has narrow rows, each with its first and last time at the end.
@@ -42,7 +42,7 @@ def schedule_chart(document: Document, members: Sequence[int], key: str = "") ->
 
     Returns
     -------
-    Markup
+    Tree
         An SVG; nothing if the plan has no times.
     """
     schedule = document.schedule
@@ -67,35 +67,39 @@ def schedule_chart(document: Document, members: Sequence[int], key: str = "") ->
         _row(document, index, axis, top + height * place, crowded)
         for place, index in enumerate(members)
     ]
-    return fill(
+    return Piece(
         "schedule",
-        key=key,
-        day=schedule.text.day,
-        zone=schedule.zone,
-        crowd=" crowd" if crowded else "",
-        height=bottom + 16,
-        bottom=bottom,
-        zero=LEFT,
-        end=right,
-        **{"from": begin},
-        per_second=f"{per_second:.9g}",
-        ticks=join(
-            fill(
-                "schedule-tick",
-                x=axis.at(moment),
-                top=top - 4,
-                bottom=bottom,
-                text_y=text_y,
-                text=text,
-            )
-            for moment, text in hour_ticks(axis.clock, begin, end)
-            for text_y in (bottom + 12, *([12] if crowded else []))
-        ),
-        rows=join(rows),
-        description="; ".join(_sentence(vehicle) for vehicle in vehicles[:MOST_SPOKEN])
-        + (f"; and {len(vehicles) - MOST_SPOKEN} more" if len(vehicles) > MOST_SPOKEN else ""),
-        late=_late(vehicles),
-        note=_note(vehicles),
+        {
+            "key": key,
+            "day": schedule.text.day,
+            "zone": schedule.zone,
+            "crowd": " crowd" if crowded else "",
+            "height": bottom + 16,
+            "bottom": bottom,
+            "zero": LEFT,
+            "end": right,
+            "from": begin,
+            "per_second": f"{per_second:.9g}",
+            "ticks": tuple(
+                Piece(
+                    "schedule-tick",
+                    {
+                        "x": axis.at(moment),
+                        "top": top - 4,
+                        "bottom": bottom,
+                        "text_y": text_y,
+                        "text": text,
+                    },
+                )
+                for moment, text in hour_ticks(axis.clock, begin, end)
+                for text_y in (bottom + 12, *([12] if crowded else []))
+            ),
+            "rows": tuple(rows),
+            "description": "; ".join(_sentence(vehicle) for vehicle in vehicles[:MOST_SPOKEN])
+            + (f"; and {len(vehicles) - MOST_SPOKEN} more" if len(vehicles) > MOST_SPOKEN else ""),
+            "late": _late(vehicles),
+            "note": _note(vehicles),
+        },
     )
 
 
@@ -123,9 +127,9 @@ def _sentence(vehicle: Vehicle) -> str:
     return ", ".join(parts)
 
 
-def _late(vehicles: Sequence[Vehicle]) -> Markup:
+def _late(vehicles: Sequence[Vehicle]) -> Tree:
     who = _late_ones(vehicles)
-    return fill("schedule-late", text=f"Too late, at best: {who}.") if who else NOTHING
+    return Piece("schedule-late", {"text": f"Too late, at best: {who}."}) if who else NOTHING
 
 
 def _late_ones(vehicles: Sequence[Vehicle]) -> str:
@@ -148,22 +152,24 @@ def _note(vehicles: Sequence[Vehicle]) -> str:
     return " ".join(parts)
 
 
-def _row(document: Document, index: int, axis: _Axis, y: float, crowded: bool) -> Markup:
+def _row(document: Document, index: int, axis: _Axis, y: float, crowded: bool) -> Piece:
     vehicle = document.vehicles[index]
     times = vehicle.day
-    return fill(
+    return Piece(
         "schedule-row",
-        y=f"{y:g}",
-        title=_sentence(vehicle),
-        colour=vehicle.colour,
-        letter=vehicle.letter,
-        size=vehicle.letter_size,
-        shapes=join(_shapes(document, index, axis)),
-        labels=_span(times) if crowded else join(_labels(document, index, axis)),
+        {
+            "y": f"{y:g}",
+            "title": _sentence(vehicle),
+            "colour": vehicle.colour,
+            "letter": vehicle.letter,
+            "size": vehicle.letter_size,
+            "shapes": tuple(_shapes(document, index, axis)),
+            "labels": _span(times) if crowded else tuple(_labels(document, index, axis)),
+        },
     )
 
 
-def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Markup]:
+def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
     vehicle = document.vehicles[index]
     times = vehicle.day
     pieces = list(zip(vehicle.way, times.spans, strict=True))
@@ -172,37 +178,43 @@ def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Markup]:
         first = max(times.earliest_departure_s, axis.begin)
         if times.departure_s - first > 60:
             x2 = axis.x(times.departure_s) - 6
-            yield fill("schedule-held", x1=axis.at(first), x2=f"{x2:.1f}")
+            yield Piece("schedule-held", {"x1": axis.at(first), "x2": f"{x2:.1f}"})
     for (kind, _), (begin, end) in pieces:
         if kind == "platoon":
-            yield fill("schedule-band", x=axis.at(begin), width=_width(axis, begin, end))
+            yield Piece("schedule-band", {"x": axis.at(begin), "width": _width(axis, begin, end)})
     for begin, end in _driven(times):
-        yield fill(
+        yield Piece(
             "schedule-line",
-            x1=axis.at(begin),
-            x2=axis.at(end),
-            colour=vehicle.colour,
-            dash=vehicle.stroke,
-            cap=vehicle.cap,
+            {
+                "x1": axis.at(begin),
+                "x2": axis.at(end),
+                "colour": vehicle.colour,
+                "dash": vehicle.stroke,
+                "cap": vehicle.cap,
+            },
         )
     for begin, end in _waits(times):
-        yield fill("schedule-wait", x=axis.at(begin), width=_width(axis, begin, end))
-    yield fill("schedule-start", x=axis.at(times.departure_s), colour=vehicle.colour)
-    yield fill("schedule-end", x=f"{axis.x(times.arrival_s) - 4:.1f}", colour=vehicle.colour)
+        yield Piece("schedule-wait", {"x": axis.at(begin), "width": _width(axis, begin, end)})
+    yield Piece("schedule-start", {"x": axis.at(times.departure_s), "colour": vehicle.colour})
+    yield Piece(
+        "schedule-end", {"x": f"{axis.x(times.arrival_s) - 4:.1f}", "colour": vehicle.colour}
+    )
     for event in document.events:
         if index in event.vehicles and event.at_s is not None:
             # Within the band: a wait ends where it begins, and would be covered.
             aside = 7 if event.kind == "merge" else -7
             x = axis.x(event.at_s) + aside
-            yield fill("schedule-point", x=f"{x:.1f}", icon=event.kind)
+            yield Piece("schedule-point", {"x": f"{x:.1f}", "icon": event.kind})
     latest = times.latest_arrival_s
     if latest is not None and axis.begin <= latest <= axis.end:
         late = times.is_late
-        yield fill(
+        yield Piece(
             "schedule-deadline",
-            x=axis.at(latest),
-            colour=LATE if late else MUTED,
-            width="2.4" if late else "1.4",
+            {
+                "x": axis.at(latest),
+                "colour": LATE if late else MUTED,
+                "width": "2.4" if late else "1.4",
+            },
         )
 
 
@@ -229,7 +241,7 @@ def _waits(times: VehicleDay) -> list[tuple[float, float]]:
     ]
 
 
-def _labels(document: Document, index: int, axis: _Axis) -> Iterator[Markup]:
+def _labels(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
     """Yield the times under a row: departure and arrival first, then points where there is room."""
     vehicle = document.vehicles[index]
     times = vehicle.day
@@ -251,24 +263,23 @@ def _labels(document: Document, index: int, axis: _Axis) -> Iterator[Markup]:
             x = min(max(x, 22 + half), 372 - half)
             if all(x + half < low or x - half > high for low, high in taken):
                 taken.append((x - half, x + half))
-                yield fill(
-                    "schedule-label", x=f"{x:.1f}", y=28, text=text, colour=colour, weight=weight
+                yield Piece(
+                    "schedule-label",
+                    {"x": f"{x:.1f}", "y": 28, "text": text, "colour": colour, "weight": weight},
                 )
                 break
 
 
-def _span(times: VehicleDay) -> Markup:
+def _span(times: VehicleDay) -> Piece:
     late = times.is_late
     text = f"{times.text.departure} \u2013 {times.text.arrival}"
-    return fill(
+    return Piece(
         "schedule-span",
-        text=text,
-        colour=LATE if late else MUTED,
-        weight="700" if late else "400",
+        {"text": text, "colour": LATE if late else MUTED, "weight": "700" if late else "400"},
     )
 
 
-def late_note(document: Document) -> list[Markup]:
+def late_note(document: Document) -> list[Piece]:
     """Return a note of who arrives too late, and by how much.
 
     Parameters
@@ -278,8 +289,12 @@ def late_note(document: Document) -> list[Markup]:
 
     Returns
     -------
-    list of Markup
+    list of Piece
         One note, or none if all are in time.
     """
     who = _late_ones(document.vehicles)
-    return [fill("note-late", text=f"Not feasible in time. Late, at best: {who}.")] if who else []
+    return (
+        [Piece("note-late", {"text": f"Not feasible in time. Late, at best: {who}."})]
+        if who
+        else []
+    )

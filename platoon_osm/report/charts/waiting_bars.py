@@ -8,7 +8,7 @@ from ...plans.clock import MENTIONED_S
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import MOST_SPOKEN
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import litres, true_minus
 
 __all__ = ["waiting_bars"]
@@ -17,7 +17,7 @@ LEFT, ZERO, RIGHT = 98.0, 160.0, 316.0
 ROW = 28
 
 
-def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> Markup:
+def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> Tree:
     """Return a bar per vehicle: fuel saved on one side, time waited on the other.
 
     Parameters
@@ -31,7 +31,7 @@ def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> M
 
     Returns
     -------
-    Markup
+    Tree
         An SVG; nothing if the plan has no times, or nobody saves or waits.
     """
     if document.schedule is None or not members:
@@ -47,54 +47,66 @@ def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> M
         _row(vehicle, litre * per_litre, wait * per_second, litre, 20 + ROW * place)
         for place, (vehicle, litre, wait) in enumerate(zip(vehicles, saved, waits, strict=True))
     ]
-    return fill(
+    return Piece(
         "waiting-bars",
-        key=key,
-        height=20 + ROW * len(vehicles) - 4,
-        zero=ZERO,
-        left=ZERO - 6,
-        right=ZERO + 6,
-        rows=join(rows),
-        title="; ".join(
-            f"{vehicle.letter} {_litres(litre)}, {vehicle.day.text.waiting}"
-            for vehicle, litre in list(zip(vehicles, saved, strict=True))[:MOST_SPOKEN]
-        ),
+        {
+            "key": key,
+            "height": 20 + ROW * len(vehicles) - 4,
+            "zero": ZERO,
+            "left": ZERO - 6,
+            "right": ZERO + 6,
+            "rows": tuple(rows),
+            "title": "; ".join(
+                f"{vehicle.letter} {_litres(litre)}, {vehicle.day.text.waiting}"
+                for vehicle, litre in list(zip(vehicles, saved, strict=True))[:MOST_SPOKEN]
+            ),
+        },
     )
 
 
-def _row(vehicle: Vehicle, fuel_width: float, wait_width: float, litre: float, y: float) -> Markup:
-    shapes: list[Markup] = []
+def _row(vehicle: Vehicle, fuel_width: float, wait_width: float, litre: float, y: float) -> Piece:
+    shapes: list[Piece] = []
     if fuel_width > 0:
         shapes.append(
-            fill("waiting-fuel", x=ZERO, width=f"{fuel_width:.1f}", colour=vehicle.colour)
+            Piece(
+                "waiting-fuel", {"x": ZERO, "width": f"{fuel_width:.1f}", "colour": vehicle.colour}
+            )
         )
     shapes.append(
-        fill(
+        Piece(
             "waiting-text",
-            x=f"{ZERO + max(fuel_width, 0.0) + 6:.1f}",
-            anchor="start",
-            text=_litres(litre),
+            {
+                "x": f"{ZERO + max(fuel_width, 0.0) + 6:.1f}",
+                "anchor": "start",
+                "text": _litres(litre),
+            },
         )
     )
     if vehicle.day.waiting_s >= MENTIONED_S:
-        shapes.append(fill("waiting-time", x=f"{ZERO - wait_width:.1f}", width=f"{wait_width:.1f}"))
+        shapes.append(
+            Piece("waiting-time", {"x": f"{ZERO - wait_width:.1f}", "width": f"{wait_width:.1f}"})
+        )
     else:
         wait_width = 0.0
     shapes.append(
-        fill(
+        Piece(
             "waiting-text",
-            x=f"{ZERO - wait_width - 6:.1f}",
-            anchor="end",
-            text=vehicle.day.text.waiting,
+            {
+                "x": f"{ZERO - wait_width - 6:.1f}",
+                "anchor": "end",
+                "text": vehicle.day.text.waiting,
+            },
         )
     )
-    return fill(
+    return Piece(
         "waiting-row",
-        y=y,
-        colour=vehicle.colour,
-        letter=vehicle.letter,
-        size=vehicle.letter_size,
-        shapes=join(shapes),
+        {
+            "y": y,
+            "colour": vehicle.colour,
+            "letter": vehicle.letter,
+            "size": vehicle.letter_size,
+            "shapes": tuple(shapes),
+        },
     )
 
 

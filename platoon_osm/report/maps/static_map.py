@@ -10,7 +10,7 @@ from ..drawing.crowd import CROWD, MOST_SPOKEN
 from ..drawing.lines import Point
 from ..drawing.palette import CASING
 from ..drawing.ticks import round_below
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 from .lanes import band_aside, band_lines, band_width, solo_aside, solo_step
 from .map_texts import NAME_SIZE, placed_callouts, placed_names
 from .map_view import MapView
@@ -26,7 +26,7 @@ NARROW = 2.1
 SMALL_NARROW = 1.75
 
 
-def static_map(document: Document) -> Markup:
+def static_map(document: Document) -> Piece:
     """Return the still map of a document: routes, letters, points and names.
 
     Parameters
@@ -36,35 +36,37 @@ def static_map(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Piece
         One SVG.
     """
     view = MapView([document])
     cover = Cover(view.width, view.height)
     routes = list(_routes(document, view, cover))
     narrow = cover.copy()
-    marks = join(placed_marks(document, view, cover))
+    marks = tuple(placed_marks(document, view, cover))
     scale = _scale(view, cover)
     # Callouts choose their place before names do: they matter more.
-    callouts = join(_callouts(document, view, cover))
-    names = join(town_names(document, view, cover))
-    return fill(
+    callouts = tuple(_callouts(document, view, cover))
+    names = tuple(town_names(document, view, cover))
+    return Piece(
         "static-map",
-        width=f"{view.width:g}",
-        height=f"{view.height:g}",
-        title=document.title,
-        description=f"Map of {document.subtitle}: "
-        + "; ".join(
-            f"{v.letter} {v.origin.name} to {v.destination.name}"
-            for v in document.vehicles[:MOST_SPOKEN]
-        ),
-        network=view.network_path(document.basemap.known),
-        inferred=view.path(document.basemap.inferred),
-        inferred_routes=view.path(document.inferred_routes),
-        routes=join(routes),
-        wide=static_texts("wide", names, marks, callouts),
-        narrow=_narrow_texts(document, view, narrow, NARROW),
-        scale=scale,
+        {
+            "width": f"{view.width:g}",
+            "height": f"{view.height:g}",
+            "title": document.title,
+            "description": f"Map of {document.subtitle}: "
+            + "; ".join(
+                f"{v.letter} {v.origin.name} to {v.destination.name}"
+                for v in document.vehicles[:MOST_SPOKEN]
+            ),
+            "network": view.network_path(document.basemap.known),
+            "inferred": view.path(document.basemap.inferred),
+            "inferred_routes": view.path(document.inferred_routes),
+            "routes": tuple(routes),
+            "wide": static_texts("wide", names, marks, callouts),
+            "narrow": _narrow_texts(document, view, narrow, NARROW),
+            "scale": scale,
+        },
     )
 
 
@@ -72,7 +74,7 @@ SMALL_WIDTH, SMALL_HEIGHT = 640.0, 400.0
 SMALL_NETWORK_DATA = 40_000
 
 
-def small_maps(documents: Sequence[Document]) -> list[Markup]:
+def small_maps(documents: Sequence[Document]) -> list[Piece]:
     """Return a small still map of each document, all of the same part of the world.
 
     Parameters
@@ -82,72 +84,76 @@ def small_maps(documents: Sequence[Document]) -> list[Markup]:
 
     Returns
     -------
-    list of Markup
+    list of Piece
         An SVG for each. The network is drawn by the first alone; the others refer to it.
     """
     view = MapView(documents, SMALL_WIDTH, (SMALL_HEIGHT, SMALL_HEIGHT), margin=26.0)
     lines = documents[0].basemap.known
-    network = fill("small-network", path=view.network_path(lines, SMALL_NETWORK_DATA))
-    maps: list[Markup] = []
+    network = Piece("small-network", {"path": view.network_path(lines, SMALL_NETWORK_DATA)})
+    maps: list[Piece] = []
     for document in documents:
         cover = Cover(view.width, view.height)
-        routes = join(_routes(document, view, cover))
+        routes = tuple(_routes(document, view, cover))
         narrow = cover.copy()
-        marks = join(placed_marks(document, view, cover))
-        names = join(town_names(document, view, cover))
+        marks = tuple(placed_marks(document, view, cover))
+        names = tuple(town_names(document, view, cover))
         maps.append(
-            fill(
+            Piece(
                 "small-map",
-                width=f"{view.width:g}",
-                height=f"{view.height:g}",
-                title=f"Map: {document.title}, {document.subtitle}",
-                network=NOTHING if maps else network,
-                routes=routes,
-                wide=static_texts("wide", names, marks),
-                narrow=_narrow_texts(document, view, narrow, SMALL_NARROW),
+                {
+                    "width": f"{view.width:g}",
+                    "height": f"{view.height:g}",
+                    "title": f"Map: {document.title}, {document.subtitle}",
+                    "network": NOTHING if maps else network,
+                    "routes": routes,
+                    "wide": static_texts("wide", names, marks),
+                    "narrow": _narrow_texts(document, view, narrow, SMALL_NARROW),
+                },
             )
         )
     return maps
 
 
 def static_texts(
-    kind: str, names: Markup, marks: Markup, callouts: Markup = NOTHING, scale: float = 1.0
-) -> Markup:
+    kind: str, names: Tree, marks: Tree, callouts: Tree = NOTHING, scale: float = 1.0
+) -> Piece:
     """Return what is written on a map for one kind of screen.
 
     Parameters
     ----------
     kind : str
         "wide" or "narrow".
-    names, marks, callouts : Markup
+    names, marks, callouts : Tree
         What is written.
     scale : float
         How much larger than common it is.
 
     Returns
     -------
-    Markup
+    Piece
         A group of the SVG.
     """
-    return fill(
+    return Piece(
         "static-texts",
-        kind=kind,
-        names=names,
-        marks=marks,
-        callouts=callouts,
-        size=f"{NAME_SIZE * scale:g}",
-        halo=f"{3 * scale:g}",
+        {
+            "kind": kind,
+            "names": names,
+            "marks": marks,
+            "callouts": callouts,
+            "size": f"{NAME_SIZE * scale:g}",
+            "halo": f"{3 * scale:g}",
+        },
     )
 
 
-def _narrow_texts(document: Document, view: MapView, cover: Cover, scale: float) -> Markup:
+def _narrow_texts(document: Document, view: MapView, cover: Cover, scale: float) -> Tree:
     """Return marks and names larger, and so fewer, for narrow screens; callouts have no room."""
-    marks = join(placed_marks(document, view, cover, scale))
-    names = join(town_names(document, view, cover, scale))
+    marks = tuple(placed_marks(document, view, cover, scale))
+    names = tuple(town_names(document, view, cover, scale))
     return static_texts("narrow", names, marks, scale=scale)
 
 
-def _routes(document: Document, view: MapView, cover: Cover) -> Iterator[Markup]:
+def _routes(document: Document, view: MapView, cover: Cover) -> Iterator[Piece]:
     vehicles = document.vehicles
     solo_lines: list[tuple[str, Vehicle, float]] = []
     for solo in document.solos:
@@ -157,22 +163,26 @@ def _routes(document: Document, view: MapView, cover: Cover) -> Iterator[Markup]
         width = min(3.6, max(1.3, solo_step(slots) * 0.8))
         solo_lines.append((path_data(points), vehicles[solo.vehicle], width))
     for path, _, width in solo_lines:
-        yield fill(
+        yield Piece(
             "static-line",
-            path=path,
-            colour=CASING,
-            width=f"{width + 3.4:.3g}",
-            dash="none",
-            cap="butt",
+            {
+                "path": path,
+                "colour": CASING,
+                "width": f"{width + 3.4:.3g}",
+                "dash": "none",
+                "cap": "butt",
+            },
         )
     for path, vehicle, width in solo_lines:
-        yield fill(
+        yield Piece(
             "static-line",
-            path=path,
-            colour=vehicle.colour,
-            width=f"{width:.3g}",
-            dash=vehicle.stroke,
-            cap=vehicle.cap,
+            {
+                "path": path,
+                "colour": vehicle.colour,
+                "width": f"{width:.3g}",
+                "dash": vehicle.stroke,
+                "cap": vehicle.cap,
+            },
         )
     for section in document.platoons:
         count = len(section.vehicles)
@@ -180,22 +190,26 @@ def _routes(document: Document, view: MapView, cover: Cover) -> Iterator[Markup]
         step, width = band_lines(count)
         inner = band_width(count)
 
-        yield fill(
+        yield Piece(
             "static-band",
-            path=path_data(_lane(lanes, 0.0)),
-            outer=f"{inner + 2:g}",
-            inner=f"{inner:g}",
+            {
+                "path": path_data(_lane(lanes, 0.0)),
+                "outer": f"{inner + 2:g}",
+                "inner": f"{inner:g}",
+            },
         )
         for place, index in enumerate(section.vehicles):
             points = _lane(lanes, (place - (count - 1) / 2) * step)
             cover.add_line(points, weight=4)
-            yield fill(
+            yield Piece(
                 "static-line",
-                path=path_data(points),
-                colour=vehicles[index].colour,
-                width=f"{width:.3g}",
-                dash=(count <= CROWD and vehicles[index].dash) or "none",
-                cap=vehicles[index].cap,
+                {
+                    "path": path_data(points),
+                    "colour": vehicles[index].colour,
+                    "width": f"{width:.3g}",
+                    "dash": (count <= CROWD and vehicles[index].dash) or "none",
+                    "cap": vehicles[index].cap,
+                },
             )
 
 
@@ -204,36 +218,35 @@ def _lane(lanes: Sequence[tuple[Sequence[Point], float]], aside: float) -> list[
     return laid([(points, band + aside) for points, band in lanes])
 
 
-def _callouts(document: Document, view: MapView, cover: Cover) -> Iterator[Markup]:
+def _callouts(document: Document, view: MapView, cover: Cover) -> Iterator[Piece]:
     for one in placed_callouts(document, view, cover, event_places(document, view)):
         leader = NOTHING
         if one.near:
             x2, y2 = one.near
-            leader = fill(
+            leader = Piece(
                 "static-leader",
-                x1=f"{one.x:.1f}",
-                y1=f"{one.y:.1f}",
-                x2=f"{x2:.1f}",
-                y2=f"{y2:.1f}",
+                {"x1": f"{one.x:.1f}", "y1": f"{one.y:.1f}", "x2": f"{x2:.1f}", "y2": f"{y2:.1f}"},
             )
         box = one.box
-        yield fill(
+        yield Piece(
             "static-callout",
-            leader=leader,
-            x=f"{box.left:.1f}",
-            y=f"{box.top:.1f}",
-            width=f"{box.width:.1f}",
-            text_x=f"{box.left + 8:.1f}",
-            head_y=f"{box.top + 14:.1f}",
-            line_y=f"{box.top + 28:.1f}",
-            head=one.head,
-            line=one.line,
+            {
+                "leader": leader,
+                "x": f"{box.left:.1f}",
+                "y": f"{box.top:.1f}",
+                "width": f"{box.width:.1f}",
+                "text_x": f"{box.left + 8:.1f}",
+                "head_y": f"{box.top + 14:.1f}",
+                "line_y": f"{box.top + 28:.1f}",
+                "head": one.head,
+                "line": one.line,
+            },
         )
 
 
 def town_names(
     document: Document, view: MapView, cover: Cover, scale: float = 1.0
-) -> Iterator[Markup]:
+) -> Iterator[Piece]:
     """Yield the names of towns that find room.
 
     Parameters
@@ -249,25 +262,24 @@ def town_names(
 
     Yields
     ------
-    Markup
+    Piece
         Each name.
     """
     for text, box in placed_names(document, view, cover, scale):
-        yield fill(
+        yield Piece(
             "static-name",
-            x=f"{box.left + 4 * scale:.1f}",
-            y=f"{box.top + 13 * scale:.1f}",
-            text=text,
+            {"x": f"{box.left + 4 * scale:.1f}", "y": f"{box.top + 13 * scale:.1f}", "text": text},
         )
 
 
-def _scale(view: MapView, cover: Cover) -> Markup:
+def _scale(view: MapView, cover: Cover) -> Piece:
     widest = 120 * view.metres_per_pixel
     length = round_below(widest)
     width = length / view.metres_per_pixel
     cover.add_box(Box(4, view.height - 32, width + 20, 30))
-    return fill(
-        "static-scale", y=f"{view.height - 14:g}", width=f"{width:.1f}", text=_round_length(length)
+    return Piece(
+        "static-scale",
+        {"y": f"{view.height - 14:g}", "width": f"{width:.1f}", "text": _round_length(length)},
     )
 
 

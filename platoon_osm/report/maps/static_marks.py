@@ -11,7 +11,7 @@ from ..drawing.crowd import CROWD
 from ..drawing.lines import Point
 from ..drawing.palette import CROWD as CROWD_COLOUR
 from ..drawing.vehicle_styles import letter_size
-from ..markup.fragments import Markup, fill
+from ..markup.fragments import Piece
 from .map_view import MapView
 from .placement import Box, Cover
 
@@ -35,7 +35,7 @@ _FAN = sorted(
 
 def placed_marks(
     document: Document, view: MapView, cover: Cover, scale: float = 1.0
-) -> Iterator[Markup]:
+) -> Iterator[Piece]:
     """Yield all marks, and take their room.
 
     Merges and separations are placed first, so that they stand where they are.
@@ -53,23 +53,25 @@ def placed_marks(
 
     Yields
     ------
-    Markup
+    Piece
         Each mark, those of events last, so that they lie on top.
     """
     taken = event_places(document, view, scale)
-    events: list[Markup] = []
+    events: list[Piece] = []
     for event, (left, top) in zip(document.events, list(taken), strict=True):
         x, y = view.at(event.lon, event.lat)
         cover.add_box(_box(left, top, 12 * scale))
         yield from _tie(x, y, left, top, scale)
         events.append(
-            fill(
+            Piece(
                 "static-event",
-                x=f"{left:.1f}",
-                y=f"{top:.1f}",
-                scale=f"{scale:g}",
-                icon=event.kind,
-                title=f"{event.name}: {event.text}",
+                {
+                    "x": f"{left:.1f}",
+                    "y": f"{top:.1f}",
+                    "scale": f"{scale:g}",
+                    "icon": event.kind,
+                    "title": f"{event.name}: {event.text}",
+                },
             )
         )
     for end, fragment, word in (
@@ -88,15 +90,17 @@ def placed_marks(
                 left, top = _beside(beside, y, taken, scale)
                 cover.add_box(_box(left, top, 10 * scale))
                 yield from _tie(x, y, left, top, scale)
-                yield fill(
+                yield Piece(
                     fragment,
-                    x=f"{left:.1f}",
-                    y=f"{top:.1f}",
-                    scale=f"{scale:g}",
-                    colour=colour,
-                    letter=letter,
-                    size=letter_size(letter),
-                    title=f"{letters} {word} {names}",
+                    {
+                        "x": f"{left:.1f}",
+                        "y": f"{top:.1f}",
+                        "scale": f"{scale:g}",
+                        "colour": colour,
+                        "letter": letter,
+                        "size": letter_size(letter),
+                        "title": f"{letters} {word} {names}",
+                    },
                 )
     yield from events
 
@@ -132,9 +136,12 @@ def _box(x: float, y: float, half: float) -> Box:
     return Box(x - half, y - half, 2 * half, 2 * half)
 
 
-def _tie(x: float, y: float, left: float, top: float, scale: float) -> Iterator[Markup]:
+def _tie(x: float, y: float, left: float, top: float, scale: float) -> Iterator[Piece]:
     if math.hypot(left - x, top - y) > FAR * scale * 1.5:
-        yield fill("static-leader", x1=f"{x:.1f}", y1=f"{y:.1f}", x2=f"{left:.1f}", y2=f"{top:.1f}")
+        yield Piece(
+            "static-leader",
+            {"x1": f"{x:.1f}", "y1": f"{y:.1f}", "x2": f"{left:.1f}", "y2": f"{top:.1f}"},
+        )
 
 
 def _spots(

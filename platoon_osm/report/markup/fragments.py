@@ -1,7 +1,9 @@
-"""Pieces of HTML and SVG in files of their own, filled once, with every text escaped.
+"""Pieces of HTML and SVG as data, written as text once, with every text escaped.
 
-This is the only place where text from outside meets markup. A value is escaped unless it is
-`Markup`, and `Markup` is made here alone: by filling a fragment, or by joining filled ones.
+This is the only place where text from outside meets markup. What a page shows is a tree of pieces,
+each the name of a fragment and what stands for its placeholders; `written` turns it into text. A
+value is escaped unless it is a piece, pieces one after another, or `Markup`, and `Markup` is made
+here alone.
 """
 
 from __future__ import annotations
@@ -9,11 +11,22 @@ from __future__ import annotations
 import functools
 import html
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from importlib.resources import files
 from string import Template
+from typing import TypeAlias
 
-__all__ = ["NOTHING", "Markup", "asset", "compact_asset", "fill", "fill_page", "join"]
+__all__ = [
+    "NOTHING",
+    "Markup",
+    "Piece",
+    "Tree",
+    "asset",
+    "compact_asset",
+    "written",
+    "written_page",
+]
 
 FRAGMENT_FILES = (
     "panel.html",
@@ -27,15 +40,35 @@ FRAGMENT_FILES = (
 )
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)
+_PLACEHOLDER = re.compile(r"\$(\w+|\{\w+\})")
 
 
 class Markup(str):
-    """Text that is markup already; only `fill`, `join` and `compact_asset` make it."""
+    """Text that is markup already; only this file makes it."""
 
     __slots__ = ()
 
 
-NOTHING = Markup("")
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A fragment of markup before it is written.
+
+    Attributes
+    ----------
+    fragment : str
+        Its name.
+    values : mapping of str to object
+        What stands for each placeholder: pieces, or a text that is escaped when it is written.
+    """
+
+    fragment: str
+    values: Mapping[str, object] = field(default_factory=dict)
+
+
+Tree: TypeAlias = "Piece | Markup | tuple[Tree, ...]"
+"""What a page shows: a piece, or pieces one after another, a line each."""
+
+NOTHING: Tree = ()
 """Stands where a page has nothing to say."""
 
 
@@ -77,44 +110,67 @@ def compact_asset(name: str) -> Markup:
 
 
 @functools.cache
-def _fragments() -> Mapping[str, Template]:
-    """Read all fragment files: each fragment begins with a comment that names it."""
-    found: dict[str, Template] = {}
+def _fragments() -> Mapping[str, tuple[str, ...]]:
+    """Read all fragment files: each fragment begins with a comment that names it.
+
+    Its text stands cut at its placeholders: every second part is the name of one.
+    """
+    found: dict[str, tuple[str, ...]] = {}
     for name in FRAGMENT_FILES:
         parts = _FRAGMENT.split(asset(name))
         for label, body in zip(parts[1::2], parts[2::2], strict=True):
-            found[label] = Template(body.strip("\n"))
+            texts = _PLACEHOLDER.split(body.strip("\n"))
+            texts[1::2] = (text.strip("{}") for text in texts[1::2])
+            found[label] = tuple(texts)
     return found
 
 
-def fill(fragment: str, /, **values: object) -> Markup:
-    """Fill a fragment's `$placeholders`, each value escaped unless it is `Markup`.
+def written(tree: Tree) -> Markup:
+    """Write a tree as markup, each value escaped unless it is a piece, pieces or `Markup`.
 
     Values are put in once and not read again, so a `$` in them stays what it is.
 
     Parameters
     ----------
-    fragment : str
-        Its name.
-    **values : object
-        What stands for each placeholder.
+    tree : Tree
+        What is shown.
 
     Returns
     -------
     Markup
-        The fragment, filled.
+        Its text; of pieces one after another, one a line.
 
     Raises
     ------
     KeyError
         A fragment that does not exist, or a placeholder without a value.
     """
-    safe = {name: _escaped(value) for name, value in values.items()}
-    return Markup(_fragments()[fragment].substitute(safe))
+    out: list[str] = []
+    _write(tree, _fragments(), out)
+    return Markup("".join(out))
 
 
-def fill_page(name: str, /, *, title: str, body: Markup, policy: str, **parts: str) -> str:
-    """Fill a whole page from a file.
+def _write(value: object, fragments: Mapping[str, tuple[str, ...]], out: list[str]) -> None:
+    """Append the text of a value: no other line of the package decides what is escaped."""
+    if isinstance(value, Piece):
+        text, *rest = fragments[value.fragment]
+        out.append(text)
+        for name, after in zip(rest[::2], rest[1::2], strict=True):
+            _write(value.values[name], fragments, out)
+            out.append(after)
+    elif isinstance(value, tuple):
+        for place, part in enumerate(value):
+            if place:
+                out.append("\n")
+            _write(part, fragments, out)
+    else:
+        out.append(value if isinstance(value, Markup) else html.escape(str(value), quote=True))
+
+
+def written_page(
+    name: str, /, *, title: str, body: Tree, policy: str, extra: str = "", **parts: str
+) -> str:
+    """Write a whole page from a file.
 
     Parameters
     ----------
@@ -122,10 +178,12 @@ def fill_page(name: str, /, *, title: str, body: Markup, policy: str, **parts: s
         Of a file under report/assets.
     title : str
         Of the page; it is escaped.
-    body : Markup
+    body : Tree
         Of the page.
     policy : str
         What the page may do.
+    extra : str
+        Markup that follows the body, from folium.
     **parts : str
         Our own code, as it is.
 
@@ -134,26 +192,7 @@ def fill_page(name: str, /, *, title: str, body: Markup, policy: str, **parts: s
     str
         HTML.
     """
+    text = f"{written(body)}\n{extra.strip()}".strip()
     return Template(asset(name)).substitute(
-        title=_escaped(title), body=body, policy=policy, **parts
+        title=html.escape(title, quote=True), body=text, policy=policy, **parts
     )
-
-
-def join(parts: Iterable[Markup]) -> Markup:
-    """Join filled fragments, one a line.
-
-    Parameters
-    ----------
-    parts : iterable of Markup
-        Filled fragments.
-
-    Returns
-    -------
-    Markup
-        All of them.
-    """
-    return Markup("\n".join(_escaped(part) for part in parts))
-
-
-def _escaped(value: object) -> str:
-    return str(value) if isinstance(value, Markup) else html.escape(str(value), quote=True)

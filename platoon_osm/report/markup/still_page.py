@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .fragments import Markup, compact_asset, fill, fill_page, join
+from .fragments import Piece, Tree, compact_asset, written, written_page
 from .security import policy
 
 __all__ = ["still_page"]
 
 
-def still_page(title: str, body: Markup, styles: Sequence[str], scripts: Sequence[str] = ()) -> str:
+def still_page(title: str, body: Tree, styles: Sequence[str], scripts: Sequence[str] = ()) -> str:
     """Return a whole page.
 
     Parameters
     ----------
     title : str
         Of the page.
-    body : Markup
+    body : Tree
         Of the page.
     styles, scripts : sequence of str
         Names of files under report/assets.
@@ -28,12 +28,12 @@ def still_page(title: str, body: Markup, styles: Sequence[str], scripts: Sequenc
         HTML.
     """
     style = "".join(compact_asset(name) for name in styles)
-    code = join(compact_asset(name) for name in scripts)
-    return fill_page(
+    code = tuple(compact_asset(name) for name in scripts)
+    return written_page(
         "still.html",
-        policy=policy([code] if code else [], [style]),
+        policy=policy(["\n".join(code)] if code else [], [style]),
         title=title,
         style=style,
         body=body,
-        script=fill("still-script", code=code) if code else "",
+        script=written(Piece("still-script", {"code": code})) if code else "",
     )

@@ -15,7 +15,7 @@ from ..document.model_vehicle import Vehicle
 from ..document.side_by_side import SIDE_BY_SIDE, Comparison, comparison_of
 from ..drawing.palette import CROWD
 from ..maps.static_map import small_maps
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, kilometres, litres, percent, true_minus
 from ..markup.still_page import still_page
 from .page_pieces import badge, costs_of, figures, items
@@ -67,43 +67,49 @@ def write_comparison(
 def _page(comparison: Comparison) -> str:
     plans = comparison.plans
     cards = [
-        fill(
+        Piece(
             "comparison-card",
-            number=number,
-            title=plan.title,
-            map=drawing,
-            figures=figures(plan.totals.figures),
-            subtitle=plan.subtitle,
+            {
+                "number": number,
+                "title": plan.title,
+                "map": drawing,
+                "figures": figures(plan.totals.figures),
+                "subtitle": plan.subtitle,
+            },
         )
         for number, (plan, drawing) in enumerate(zip(plans, small_maps(plans), strict=True), 1)
     ]
     unit = plans[0].cost_unit
     notes = [*comparison.remarks, *([unit.note] if unit.note else [])]
     credits = list(dict.fromkeys(line for p in plans for line in p.provenance.credits))
-    body = fill(
+    body = Piece(
         "comparison",
-        icons=fill("icons"),
-        title=comparison.title,
-        subtitle=comparison.subtitle,
-        keys=_keys(plans),
-        cards=join(cards),
-        unit=unit.label,
-        rows=join(_row(plan) for plan in plans),
-        notes=items(notes),
-        bars=_bars(plans),
-        by_vehicle=_by_vehicle(plans),
-        about=join(
-            fill(
-                "comparison-about",
-                title=plan.title,
-                rows=join(
-                    fill("about-row", label=label, text=text)
-                    for label, text in plan.provenance.rows
-                ),
-            )
-            for plan in plans
-        ),
-        credits=items(credits),
+        {
+            "icons": Piece("icons"),
+            "title": comparison.title,
+            "subtitle": comparison.subtitle,
+            "keys": _keys(plans),
+            "cards": tuple(cards),
+            "unit": unit.label,
+            "rows": tuple(_row(plan) for plan in plans),
+            "notes": items(notes),
+            "bars": _bars(plans),
+            "by_vehicle": _by_vehicle(plans),
+            "about": tuple(
+                Piece(
+                    "comparison-about",
+                    {
+                        "title": plan.title,
+                        "rows": tuple(
+                            Piece("about-row", {"label": label, "text": text})
+                            for label, text in plan.provenance.rows
+                        ),
+                    },
+                )
+                for plan in plans
+            ),
+            "credits": items(credits),
+        },
     )
     return still_page(comparison.title, body, styles=("page.css", "comparison.css"))
 
@@ -117,36 +123,40 @@ def _vehicles(plans: Sequence[Document]) -> dict[str, Vehicle]:
     return found
 
 
-def _keys(plans: Sequence[Document]) -> Markup:
+def _keys(plans: Sequence[Document]) -> Tree:
     vehicles = _vehicles(plans).values()
-    return join(
-        fill(
+    return tuple(
+        Piece(
             "comparison-key",
-            badge=badge(vehicle),
-            name=vehicle.name,
-            origin=vehicle.origin.name,
-            destination=vehicle.destination.name,
+            {
+                "badge": badge(vehicle),
+                "name": vehicle.name,
+                "origin": vehicle.origin.name,
+                "destination": vehicle.destination.name,
+            },
         )
         for vehicle in list(vehicles)[:MOST_BY_VEHICLE]
     )
 
 
-def _row(plan: Document) -> Markup:
+def _row(plan: Document) -> Piece:
     totals = plan.totals
     extra = f"{'+' if totals.extra_m > 0 else ''}{kilometres(totals.extra_m)}"
-    return fill(
+    return Piece(
         "comparison-row",
-        title=plan.title,
-        vehicles=len(plan.vehicles),
-        road=kilometres(totals.platoon_road_m),
-        extra=true_minus(extra),
-        fuel=true_minus(litres(totals.fuel_saved_l)),
-        sign=gain_or_loss(totals.solo_cost - totals.joint_cost),
-        **costs_of(totals.text),
+        {
+            "title": plan.title,
+            "vehicles": len(plan.vehicles),
+            "road": kilometres(totals.platoon_road_m),
+            "extra": true_minus(extra),
+            "fuel": true_minus(litres(totals.fuel_saved_l)),
+            "sign": gain_or_loss(totals.solo_cost - totals.joint_cost),
+            **costs_of(totals.text),
+        },
     )
 
 
-def _bars(plans: Sequence[Document]) -> Markup:
+def _bars(plans: Sequence[Document]) -> Tree:
     """Return a bar per plan: the share saved, by vehicle; losses left of the line, hatched."""
     shares = [_shares(plan) for plan in plans]
     most = max(sum(max(own.share, 0.0) for own in one) for one in shares)
@@ -157,7 +167,7 @@ def _bars(plans: Sequence[Document]) -> Markup:
     zero = BARS_LEFT - least * scale
     rows = []
     for place, (plan, one) in enumerate(zip(plans, shares, strict=True)):
-        shapes: list[Markup] = []
+        shapes: list[Piece] = []
         right = left = zero
         for who, colour, share in one:
             width = abs(share) * scale
@@ -165,30 +175,32 @@ def _bars(plans: Sequence[Document]) -> Markup:
             right, left = (right + width, left) if share >= 0 else (right, left - width)
             letter = who if width > 18 else ""
             shapes.append(
-                fill(
+                Piece(
                     "comparison-bar" if share >= 0 else "comparison-loss",
-                    x=f"{start:.1f}",
-                    width=f"{width:.1f}",
-                    colour=colour,
-                    letter=letter,
-                    middle=f"{start + width / 2:.1f}",
-                    text=f"{who}: {true_minus(percent(share))}",
+                    {
+                        "x": f"{start:.1f}",
+                        "width": f"{width:.1f}",
+                        "colour": colour,
+                        "letter": letter,
+                        "middle": f"{start + width / 2:.1f}",
+                        "text": f"{who}: {true_minus(percent(share))}",
+                    },
                 )
             )
         rows.append(
-            fill(
+            Piece(
                 "comparison-bars-row",
-                y=22 + (BAR_ROW + 18) * place,
-                title=plan.title,
-                shapes=join(shapes),
-                zero=f"{zero:.1f}",
-                share=plan.totals.text.share,
+                {
+                    "y": 22 + (BAR_ROW + 18) * place,
+                    "title": plan.title,
+                    "shapes": tuple(shapes),
+                    "zero": f"{zero:.1f}",
+                    "share": plan.totals.text.share,
+                },
             )
         )
-    return fill(
-        "comparison-bars",
-        height=10 + (BAR_ROW + 18) * len(plans),
-        rows=join(rows),
+    return Piece(
+        "comparison-bars", {"height": 10 + (BAR_ROW + 18) * len(plans), "rows": tuple(rows)}
     )
 
 
@@ -209,7 +221,7 @@ def _shares(plan: Document) -> list[_Share]:
     return [_Share(one.letter, one.colour, one.saved / alone) for one in vehicles]
 
 
-def _by_vehicle(plans: Sequence[Document]) -> Markup:
+def _by_vehicle(plans: Sequence[Document]) -> Tree:
     """Return what each vehicle saves under each plan; nothing for a crowd."""
     every = _vehicles(plans)
     if len(every) > MOST_BY_VEHICLE:
@@ -220,25 +232,29 @@ def _by_vehicle(plans: Sequence[Document]) -> Markup:
         for plan in plans:
             own = next((one for one in plan.vehicles if one.letter == letter), None)
             if own is None:
-                cells.append(fill("comparison-no-cell"))
+                cells.append(Piece("comparison-no-cell"))
                 continue
             cells.append(
-                fill(
+                Piece(
                     "comparison-cell",
-                    sign=gain_or_loss(own.saved),
-                    saved=own.text.saved,
-                    share=own.text.share,
+                    {
+                        "sign": gain_or_loss(own.saved),
+                        "saved": own.text.saved,
+                        "share": own.text.share,
+                    },
                 )
             )
         rows.append(
-            fill(
+            Piece(
                 "comparison-vehicle",
-                badge=badge(vehicle),
-                cells=join(cells),
-                origin=vehicle.origin.name,
-                destination=vehicle.destination.name,
+                {
+                    "badge": badge(vehicle),
+                    "cells": tuple(cells),
+                    "origin": vehicle.origin.name,
+                    "destination": vehicle.destination.name,
+                },
             )
         )
-    heads = join(fill("comparison-head", title=plan.title) for plan in plans)
+    heads = tuple(Piece("comparison-head", {"title": plan.title}) for plan in plans)
     unit = plans[0].cost_unit.label
-    return fill("comparison-vehicles", heads=heads, rows=join(rows), unit=unit)
+    return Piece("comparison-vehicles", {"heads": heads, "rows": tuple(rows), "unit": unit})

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["cost_bars"]
 
@@ -24,7 +24,7 @@ class _Scale:
     split: bool
 
 
-def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Markup:
+def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree:
     """Return a bar per vehicle.
 
     Parameters
@@ -38,7 +38,7 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Mark
 
     Returns
     -------
-    Markup
+    Tree
         An SVG; nothing if nobody gains or loses.
     """
     vehicles = [document.vehicles[index] for index in members]
@@ -65,14 +65,19 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Mark
     else:
         heads.append((f"{zero + 6:.1f}", "start", "saved"))
     unit = document.cost_unit.label
-    return fill(
+    return Piece(
         "bars",
-        key=key,
-        title=f"{'Gain in platoon, less the longer way' if split else 'Saving'}, {unit}",
-        height=22 + BAR_ROW * len(vehicles) - 4,
-        zero=f"{zero:.1f}",
-        heads=join(fill("bars-head", x=x, anchor=anchor, text=text) for x, anchor, text in heads),
-        rows=join(rows),
+        {
+            "key": key,
+            "title": f"{'Gain in platoon, less the longer way' if split else 'Saving'}, {unit}",
+            "height": 22 + BAR_ROW * len(vehicles) - 4,
+            "zero": f"{zero:.1f}",
+            "heads": tuple(
+                Piece("bars-head", {"x": x, "anchor": anchor, "text": text})
+                for x, anchor, text in heads
+            ),
+            "rows": tuple(rows),
+        },
     )
 
 
@@ -83,39 +88,45 @@ def _gain_and_loss(vehicle: Vehicle, split: bool) -> tuple[float, float]:
     return max(vehicle.saved, 0.0), max(-vehicle.saved, 0.0)
 
 
-def _bar_row(vehicle: Vehicle, gain: float, loss: float, scale: _Scale, y: float) -> Markup:
+def _bar_row(vehicle: Vehicle, gain: float, loss: float, scale: _Scale, y: float) -> Piece:
     zero, per_pixel, split = scale.zero, scale.per_pixel, scale.split
-    shapes: list[Markup] = []
+    shapes: list[Piece] = []
     if loss > 0:
         left = zero - loss / per_pixel
         shapes.append(
-            fill(
+            Piece(
                 "bar-loss",
-                x=f"{left:.1f}",
-                width=f"{zero - left:.1f}",
-                text_x=f"{left - 5:.1f}",
-                text=vehicle.text.detour if split else "",
+                {
+                    "x": f"{left:.1f}",
+                    "width": f"{zero - left:.1f}",
+                    "text_x": f"{left - 5:.1f}",
+                    "text": vehicle.text.detour if split else "",
+                },
             )
         )
     if gain > 0:
         shapes.append(
-            fill(
+            Piece(
                 "bar-gain",
-                x=f"{zero:.1f}",
-                width=f"{gain / per_pixel:.1f}",
-                text_x=f"{zero + 6:.1f}",
-                colour=vehicle.colour,
-                text=vehicle.text.gain if split else "",
+                {
+                    "x": f"{zero:.1f}",
+                    "width": f"{gain / per_pixel:.1f}",
+                    "text_x": f"{zero + 6:.1f}",
+                    "colour": vehicle.colour,
+                    "text": vehicle.text.gain if split else "",
+                },
             )
         )
     if gain > 0 and split:
-        shapes.append(fill("bar-net", x=f"{zero + (gain - loss) / per_pixel:.1f}"))
-    return fill(
+        shapes.append(Piece("bar-net", {"x": f"{zero + (gain - loss) / per_pixel:.1f}"}))
+    return Piece(
         "bars-row",
-        y=f"{y:g}",
-        colour=vehicle.colour,
-        letter=vehicle.letter,
-        size=vehicle.letter_size,
-        shapes=join(shapes),
-        net=vehicle.text.saved,
+        {
+            "y": f"{y:g}",
+            "colour": vehicle.colour,
+            "letter": vehicle.letter,
+            "size": vehicle.letter_size,
+            "shapes": tuple(shapes),
+            "net": vehicle.text.saved,
+        },
     )

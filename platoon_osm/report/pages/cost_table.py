@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ..document.model import Document
 from ..document.model_vehicle import CostTexts
 from ..drawing.crowd import CROWD
-from ..markup.fragments import Markup, fill, join
+from ..markup.fragments import Piece, Tree
 from ..markup.quantities import gain_or_loss
 from .page_pieces import badge, costs_of
 
@@ -16,7 +16,7 @@ __all__ = ["cost_table", "overview"]
 
 def cost_table(
     document: Document, members: Sequence[int], total: str, text: CostTexts, label: str
-) -> Markup:
+) -> Piece:
     """Return the costs of some vehicles, one a row, and their sum.
 
     Parameters
@@ -34,7 +34,7 @@ def cost_table(
 
     Returns
     -------
-    Markup
+    Piece
         A table; that of a crowd is narrow and scrolls.
     """
     vehicles = [document.vehicles[index] for index in members]
@@ -45,30 +45,34 @@ def cost_table(
             clock = vehicle.times.text
             facts = f"{clock.departure}\u2060\u2013\u2060{clock.arrival}, {facts}"
         if vehicle.name:
-            facts = fill("vehicle-name", name=vehicle.name, facts=facts)
+            facts = Piece("vehicle-name", {"name": vehicle.name, "facts": facts})
         rows.append(
-            fill(
+            Piece(
                 "table-row",
-                badge=badge(vehicle),
-                origin=vehicle.origin.name,
-                destination=vehicle.destination.name,
-                facts=facts,
-                sign=gain_or_loss(vehicle.saved),
-                **costs_of(vehicle.text),
+                {
+                    "badge": badge(vehicle),
+                    "origin": vehicle.origin.name,
+                    "destination": vehicle.destination.name,
+                    "facts": facts,
+                    "sign": gain_or_loss(vehicle.saved),
+                    **costs_of(vehicle.text),
+                },
             )
         )
-    return fill(
+    return Piece(
         "table",
-        rows=join(rows),
-        total=total,
-        label=label,
-        density=" compact" if len(rows) > CROWD else "",
-        sign=gain_or_loss(sum(vehicle.saved for vehicle in vehicles)),
-        **costs_of(text),
+        {
+            "rows": tuple(rows),
+            "total": total,
+            "label": label,
+            "density": " compact" if len(rows) > CROWD else "",
+            "sign": gain_or_loss(sum(vehicle.saved for vehicle in vehicles)),
+            **costs_of(text),
+        },
     )
 
 
-def overview(document: Document) -> Markup:
+def overview(document: Document) -> Tree:
     """Return the costs of all groups, one a row.
 
     Parameters
@@ -78,16 +82,18 @@ def overview(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Tree
         Rows of a table.
     """
-    return join(
-        fill(
+    return tuple(
+        Piece(
             "overview-row",
-            name=group.name,
-            facts=group.facts,
-            sign=gain_or_loss(group.saved),
-            **costs_of(group.text),
+            {
+                "name": group.name,
+                "facts": group.facts,
+                "sign": gain_or_loss(group.saved),
+                **costs_of(group.text),
+            },
         )
         for group in document.groups
     )

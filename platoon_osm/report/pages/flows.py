@@ -16,7 +16,7 @@ from ..maps.map_view import MapView
 from ..maps.pixels import path_data, shifted
 from ..maps.placement import Box, Cover
 from ..maps.static_map import NARROW, static_texts, town_names
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, percent, true_minus
 from ..markup.still_page import still_page
 from .page_pieces import about, credit_lines, heading, opening, unit_note
@@ -63,21 +63,24 @@ def _page(found: FlowDocument) -> str:
     document = found.document
     alone = sum(len(group.vehicles) for group in document.groups if not group.is_platoon)
     rows = document.provenance.rows
-    body = fill(
+    body = Piece(
         "flows",
-        opening=opening(document),
-        map=_map(found),
-        keys=_keys(found.most),
-        credits=credit_lines(document),
-        heading=heading(document),
-        histogram=_histogram(found.histogram),
-        unit=document.cost_unit.label,
-        platoons=_platoons(document),
-        alone=fill("flows-alone", count=alone) if alone else NOTHING,
-        unit_note=unit_note(document),
-        about=about(
-            document, join(fill("about-row", label=label, text=text) for label, text in rows)
-        ),
+        {
+            "opening": opening(document),
+            "map": _map(found),
+            "keys": _keys(found.most),
+            "credits": credit_lines(document),
+            "heading": heading(document),
+            "histogram": _histogram(found.histogram),
+            "unit": document.cost_unit.label,
+            "platoons": _platoons(document),
+            "alone": Piece("flows-alone", {"count": alone}) if alone else NOTHING,
+            "unit_note": unit_note(document),
+            "about": about(
+                document,
+                tuple(Piece("about-row", {"label": label, "text": text}) for label, text in rows),
+            ),
+        },
     )
     return still_page(document.title, body, ("page.css", "flows.css"), ("flows.js",))
 
@@ -105,12 +108,12 @@ def _width(vehicles: int, most: int) -> float:
     return THINNEST + (WIDEST - THINNEST) * math.sqrt(vehicles / most)
 
 
-def _map(found: FlowDocument) -> Markup:
+def _map(found: FlowDocument) -> Piece:
     document = found.document
     view = MapView([document])
     cover = Cover(view.width, view.height)
-    casings: list[Markup] = []
-    roads: list[Markup] = []
+    casings: list[Piece] = []
+    roads: list[Piece] = []
     for flow in found.flows:
         lines = [view.pixels(line) for line in flow.lines]
         width = _width(flow.vehicles, found.most)
@@ -121,18 +124,25 @@ def _map(found: FlowDocument) -> Markup:
         colour = FLOWS[flow_class(flow.vehicles, found.most)]
         number = flow.vehicles
         text = f"{number} vehicle{'s' if number > 1 else ''}"
-        casings.append(fill("flows-casing", path=path, width=f"{width + 2:.1f}"))
-        roads.append(fill("flows-road", path=path, width=f"{width:.1f}", colour=colour, text=text))
+        casings.append(Piece("flows-casing", {"path": path, "width": f"{width + 2:.1f}"}))
+        roads.append(
+            Piece(
+                "flows-road",
+                {"path": path, "width": f"{width:.1f}", "colour": colour, "text": text},
+            )
+        )
     chosen = [
-        fill(
+        Piece(
             "flows-platoon",
-            number=number,
-            path="".join(
-                path_data(view.pixels(part.line))
-                for piece in document.platoons
-                if piece.vehicles[0] in group.vehicles
-                for part in piece.parts
-            ),
+            {
+                "number": number,
+                "path": "".join(
+                    path_data(view.pixels(part.line))
+                    for piece in document.platoons
+                    if piece.vehicles[0] in group.vehicles
+                    for part in piece.parts
+                ),
+            },
         )
         for number, group in enumerate(document.groups)
         if group.is_platoon
@@ -140,120 +150,129 @@ def _map(found: FlowDocument) -> Markup:
     network = view.network_path(document.basemap.known)
     narrow = cover.copy()
     cover.add_box(Box(0, 0, 190, 150))
-    names = join(town_names(document, view, cover))
-    large = join(town_names(document, view, narrow, NARROW))
-    return fill(
+    names = tuple(town_names(document, view, cover))
+    large = tuple(town_names(document, view, narrow, NARROW))
+    return Piece(
         "flows-map",
-        width=f"{view.width:g}",
-        height=f"{view.height:g}",
-        title=f"Vehicles per road: {document.subtitle}",
-        network=network,
-        casings=join(casings),
-        roads=join(roads),
-        chosen=join(chosen),
-        wide=static_texts("wide", names, NOTHING),
-        narrow=static_texts("narrow", large, NOTHING, scale=NARROW),
+        {
+            "width": f"{view.width:g}",
+            "height": f"{view.height:g}",
+            "title": f"Vehicles per road: {document.subtitle}",
+            "network": network,
+            "casings": tuple(casings),
+            "roads": tuple(roads),
+            "chosen": tuple(chosen),
+            "wide": static_texts("wide", names, NOTHING),
+            "narrow": static_texts("narrow", large, NOTHING, scale=NARROW),
+        },
     )
 
 
-def _keys(most: int) -> Markup:
+def _keys(most: int) -> Tree:
     """Return the legend: a line for each class that holds a number of vehicles."""
-    rows: list[Markup] = []
+    rows: list[Piece] = []
     classes: dict[int, list[int]] = {}
     for vehicles in range(1, most + 1):
         classes.setdefault(flow_class(vehicles, most), []).append(vehicles)
     for number, held in sorted(classes.items()):
         low, high = held[0], held[-1]
         rows.append(
-            fill(
+            Piece(
                 "flows-key",
-                colour=FLOWS[number],
-                width=f"{_width(high, most):.1f}",
-                text=f"{low}" if low == high else f"{low} to {high}",
+                {
+                    "colour": FLOWS[number],
+                    "width": f"{_width(high, most):.1f}",
+                    "text": f"{low}" if low == high else f"{low} to {high}",
+                },
             )
         )
-    return join(rows)
+    return tuple(rows)
 
 
-def _platoons(document: Document) -> Markup:
-    rows: list[Markup] = []
+def _platoons(document: Document) -> Tree:
+    rows: list[Piece] = []
     for number, group in enumerate(document.groups):
         if not group.is_platoon:
             continue
         vehicles = [document.vehicles[index] for index in group.vehicles]
         before = sum(vehicle.solo_cost for vehicle in vehicles)
         saving = group.saved / before if before else 0.0
-        members = join(
-            fill(
+        members = tuple(
+            Piece(
                 "flows-member",
-                letter=v.letter,
-                name=v.name,
-                colour=v.colour,
-                size=v.letter_size,
-                origin=v.origin.name,
-                destination=v.destination.name,
-                saved=v.text.saved,
+                {
+                    "letter": v.letter,
+                    "name": v.name,
+                    "colour": v.colour,
+                    "size": v.letter_size,
+                    "origin": v.origin.name,
+                    "destination": v.destination.name,
+                    "saved": v.text.saved,
+                },
             )
             for v in vehicles
         )
         rows.append(
-            fill(
+            Piece(
                 "flows-row",
-                number=number,
-                name=group.name,
-                count=len(vehicles),
-                km=f"{group.road_m / 1000:,.0f}",
-                km_value=f"{group.road_m:.0f}",
-                saved=group.text.saved,
-                saved_value=f"{group.saved:.6g}",
-                share=group.text.share,
-                share_value=f"{saving:.6g}",
-                members=members,
-                sign=gain_or_loss(saving),
-                first=vehicles[0].origin.name,
-                last=vehicles[0].destination.name,
+                {
+                    "number": number,
+                    "name": group.name,
+                    "count": len(vehicles),
+                    "km": f"{group.road_m / 1000:,.0f}",
+                    "km_value": f"{group.road_m:.0f}",
+                    "saved": group.text.saved,
+                    "saved_value": f"{group.saved:.6g}",
+                    "share": group.text.share,
+                    "share_value": f"{saving:.6g}",
+                    "members": members,
+                    "sign": gain_or_loss(saving),
+                    "first": vehicles[0].origin.name,
+                    "last": vehicles[0].destination.name,
+                },
             )
         )
-    return join(rows)
+    return tuple(rows)
 
 
-def _histogram(found: Histogram) -> Markup:
+def _histogram(found: Histogram) -> Piece:
     counts, step, first = found.counts, found.step, found.first
     most = max(counts)
     width = (RIGHT - LEFT) / len(counts)
-    bars: list[Markup] = []
+    bars: list[Piece] = []
     for place, count in enumerate(counts):
         low, high = (first + place) * step, (first + place + 1) * step
         height = (BASE - TOP) * count / most
         bars.append(
-            fill(
+            Piece(
                 "flows-bar",
-                x=f"{LEFT + place * width + 1:.1f}",
-                width=f"{width - 2:.1f}",
-                y=f"{BASE - height:.1f}",
-                height=f"{height:.1f}",
-                count=count or "",
-                middle=f"{LEFT + (place + 0.5) * width:.1f}",
-                text_y=f"{BASE - height - 3:.1f}",
-                colour=GAIN if low >= -1e-12 else LOSS,
-                text=f"{percent(low)} to {percent(high)}: {count} vehicles",
+                {
+                    "x": f"{LEFT + place * width + 1:.1f}",
+                    "width": f"{width - 2:.1f}",
+                    "y": f"{BASE - height:.1f}",
+                    "height": f"{height:.1f}",
+                    "count": count or "",
+                    "middle": f"{LEFT + (place + 0.5) * width:.1f}",
+                    "text_y": f"{BASE - height - 3:.1f}",
+                    "colour": GAIN if low >= -1e-12 else LOSS,
+                    "text": f"{percent(low)} to {percent(high)}: {count} vehicles",
+                },
             )
         )
     # Every second edge is named where all would not fit.
     every = max(1, math.ceil(len(counts) / 7))
     decimals = 0 if step >= 0.0099 else 1 if step >= 0.00099 else 2
     edges = [
-        fill(
+        Piece(
             "flows-edge",
-            x=f"{LEFT + k * width:.1f}",
-            text=true_minus(f"{(first + k) * step * 100:.{decimals}f}"),
+            {
+                "x": f"{LEFT + k * width:.1f}",
+                "text": true_minus(f"{(first + k) * step * 100:.{decimals}f}"),
+            },
         )
         for k in range(0, len(counts) + 1, every)
     ]
-    return fill(
+    return Piece(
         "flows-histogram",
-        bars=join(bars),
-        edges=join(edges),
-        base=BASE,
-        median=percent(found.median),
+        {"bars": tuple(bars), "edges": tuple(edges), "base": BASE, "median": percent(found.median)},
     )

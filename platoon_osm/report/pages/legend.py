@@ -8,12 +8,12 @@ from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
 from ..maps.lanes import band_lines
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["legend"]
 
 
-def legend(document: Document) -> Markup:
+def legend(document: Document) -> Piece:
     """Return the legend of a document.
 
     Vehicles stand one under another; a crowd is listed by group, as several platoons are.
@@ -25,17 +25,17 @@ def legend(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Piece
         An entry for each layer, vehicle and group.
     """
-    return fill("legend", rows=join(_rows(document)))
+    return Piece("legend", {"rows": tuple(_rows(document))})
 
 
-def _row(layer: str, swatch: Markup, text: object) -> Markup:
-    return fill("legend-row", layer=layer, swatch=swatch, text=text)
+def _row(layer: str, swatch: Tree, text: object) -> Piece:
+    return Piece("legend-row", {"layer": layer, "swatch": swatch, "text": text})
 
 
-def _rows(document: Document) -> Iterator[Markup]:
+def _rows(document: Document) -> Iterator[Tree]:
     vehicles = document.vehicles
     several = sum(group.is_platoon for group in document.groups) > 1
     if document.platoons:
@@ -44,72 +44,73 @@ def _rows(document: Document) -> Iterator[Markup]:
         yield _row("platoon", swatch, "Platoons" if several else "Platoon")
     if len(vehicles) > CROWD or several:
         if len(vehicles) > CROWD:
-            yield fill("legend-all", swatch=_lines_swatch(vehicles))
+            yield Piece("legend-all", {"swatch": _lines_swatch(vehicles)})
         yield from (_group(document, number) for number in range(len(document.groups)))
     else:
         yield from (_vehicle(vehicles, index) for index in range(len(vehicles)))
-    yield _row("ends", fill("swatch-ends"), "Starts and destinations")
+    yield _row("ends", Piece("swatch-ends"), "Starts and destinations")
     kinds = {event.kind for event in document.events}
     if "merge" in kinds:
-        yield _row("merge", fill("swatch-merge"), "Merge points")
+        yield _row("merge", Piece("swatch-merge"), "Merge points")
     if "separation" in kinds:
-        yield _row("separation", fill("swatch-separation"), "Separation points")
-    yield _row("network", fill("swatch-network"), "Motorway network")
+        yield _row("separation", Piece("swatch-separation"), "Separation points")
+    yield _row("network", Piece("swatch-network"), "Motorway network")
     if document.basemap.inferred:
-        yield _row("inferred", fill("swatch-inferred"), "Inferred road")
+        yield _row("inferred", Piece("swatch-inferred"), "Inferred road")
     if document.junctions:
-        yield _row("junctions", fill("swatch-junctions"), "Junctions (zoom in)")
+        yield _row("junctions", Piece("swatch-junctions"), "Junctions (zoom in)")
     if document.towns or document.junctions:
-        yield _row("names", fill("swatch-names"), "Place names")
+        yield _row("names", Piece("swatch-names"), "Place names")
 
 
-def _vehicle(vehicles: Sequence[Vehicle], index: int) -> Markup:
+def _vehicle(vehicles: Sequence[Vehicle], index: int) -> Tree:
     vehicle = vehicles[index]
-    swatch = fill(
-        "swatch-line",
-        colour=vehicle.colour,
-        dash=vehicle.stroke,
-        cap=vehicle.cap,
+    swatch = Piece(
+        "swatch-line", {"colour": vehicle.colour, "dash": vehicle.stroke, "cap": vehicle.cap}
     )
     rest = {"master": ", master route", "alone": ", alone"}.get(vehicle.role, "")
     return _row(f"vehicle-{index}", swatch, f"Vehicle {vehicle.letter}{rest}")
 
 
-def _group(document: Document, number: int) -> Markup:
+def _group(document: Document, number: int) -> Piece:
     """Return a group's entry, which stands for its vehicles, and theirs to open below it."""
     group, every = document.groups[number], document.vehicles
     members = [every[index] for index in group.vehicles]
     together = group.is_platoon
     few = together and len(every) <= CROWD
-    return fill(
+    return Piece(
         "legend-group",
-        number=number,
-        swatch=_platoon_swatch(members) if together else _lines_swatch(members),
-        name=group.name,
-        count=len(members),
-        noun="vehicle" if len(members) == 1 else "vehicles",
-        open=fill("group-open") if few else NOTHING,
-        rows=join(_vehicle(every, index) for index in group.vehicles),
+        {
+            "number": number,
+            "swatch": _platoon_swatch(members) if together else _lines_swatch(members),
+            "name": group.name,
+            "count": len(members),
+            "noun": "vehicle" if len(members) == 1 else "vehicles",
+            "open": Piece("group-open") if few else NOTHING,
+            "rows": tuple(_vehicle(every, index) for index in group.vehicles),
+        },
     )
 
 
-def _lines_swatch(vehicles: Sequence[Vehicle]) -> Markup:
-    return join(
-        fill("swatch-thin", y=4 + 5 * place, colour=vehicle.colour)
+def _lines_swatch(vehicles: Sequence[Vehicle]) -> Tree:
+    return tuple(
+        Piece("swatch-thin", {"y": 4 + 5 * place, "colour": vehicle.colour})
         for place, vehicle in enumerate(vehicles[:3])
     )
 
 
-def _platoon_swatch(vehicles: Sequence[Vehicle]) -> Markup:
+def _platoon_swatch(vehicles: Sequence[Vehicle]) -> Piece:
     shown_lines = vehicles[:3]
     step = min(4.6, band_lines(len(shown_lines))[0])
     lines = [
-        fill(
+        Piece(
             "swatch-platoon-line",
-            y=f"{9 + (place - (len(shown_lines) - 1) / 2) * step:.1f}",
-            colour=vehicle.colour,
-            width="2.6",
+            {
+                "y": f"{9 + (place - (len(shown_lines) - 1) / 2) * step:.1f}",
+                "colour": vehicle.colour,
+                "width": "2.6",
+            },
         )
         for place, vehicle in enumerate(shown_lines)
     ]
-    return fill("swatch-platoon", lines=join(lines))
+    return Piece("swatch-platoon", {"lines": tuple(lines)})

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...plans.plan import Plan
 from ..document.checks import check_is_plan
 from ..document.vehicles import ROLES
-from ..markup.fragments import fill, join
+from ..markup.fragments import Piece, written
 from ..markup.quantities import cost_unit, kilometres, percent, signed
 from ..markup.shown_text import fitted
 
@@ -33,29 +33,35 @@ def plan_table(plan: Plan) -> str:
     check_is_plan(plan)
     unit = cost_unit(plan.unit)
     rows = [
-        fill(
+        Piece(
             "notebook-row",
-            vehicle=fitted(vehicle.vehicle),
-            origin=fitted(vehicle.origin.name),
-            destination=fitted(vehicle.destination.name),
-            role=ROLES.get(vehicle.role, fitted(vehicle.role)),
-            length=kilometres(vehicle.length_m),
-            platoon=kilometres(vehicle.platoon_m),
-            alone=unit.bare(vehicle.solo_cost),
-            joint=unit.bare(vehicle.joint_cost),
-            share=signed(percent(vehicle.saving)),
+            {
+                "vehicle": fitted(vehicle.vehicle),
+                "origin": fitted(vehicle.origin.name),
+                "destination": fitted(vehicle.destination.name),
+                "role": ROLES.get(vehicle.role, fitted(vehicle.role)),
+                "length": kilometres(vehicle.length_m),
+                "platoon": kilometres(vehicle.platoon_m),
+                "alone": unit.bare(vehicle.solo_cost),
+                "joint": unit.bare(vehicle.joint_cost),
+                "share": signed(percent(vehicle.saving)),
+            },
         )
         for vehicle in plan.vehicles
     ]
-    return fill(
-        "notebook-table",
-        case=fitted(plan.case),
-        network=fitted(plan.network.name),
-        unit=unit.label,
-        rows=join(rows),
-        length=kilometres(sum(vehicle.length_m for vehicle in plan.vehicles)),
-        platoon=kilometres(plan.platoon_m),
-        alone=unit.bare(plan.solo_cost),
-        joint=unit.bare(plan.joint_cost),
-        share=signed(percent(plan.saving)),
+    return written(
+        Piece(
+            "notebook-table",
+            {
+                "case": fitted(plan.case),
+                "network": fitted(plan.network.name),
+                "unit": unit.label,
+                "rows": tuple(rows),
+                "length": kilometres(sum(vehicle.length_m for vehicle in plan.vehicles)),
+                "platoon": kilometres(plan.platoon_m),
+                "alone": unit.bare(plan.solo_cost),
+                "joint": unit.bare(plan.joint_cost),
+                "share": signed(percent(plan.saving)),
+            },
+        )
     )

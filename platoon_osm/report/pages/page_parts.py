@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..document.as_json import as_json
 from ..document.model import Document
-from ..markup.fragments import Markup, asset, compact_asset, fill, fill_page
+from ..markup.fragments import Piece, asset, compact_asset, written_page
 from ..markup.leaflet import Leaflet
 from ..markup.security import json_for_html, policy
 from .online_map import Tiles
@@ -68,9 +68,9 @@ class PageParts:
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
         own_style = "".join(compact_asset(name) for name in ("page.css", "schedule.css"))
         styles = [self.leaflet.style, own_style]
-        body = page_body(self.document, fill("live-map", id=map_id))
+        body = page_body(self.document, Piece("live-map", {"id": map_id}))
         tiles = self.tiles
-        return fill_page(
+        return written_page(
             "page.html",
             policy=policy(scripts, styles, tiles.origin if tiles else ""),
             title=self.document.title,
@@ -78,7 +78,8 @@ class PageParts:
             leaflet_style=styles[0],
             page_style=styles[1],
             header=header.strip(),
-            body=Markup(f"{body}\n{extra.strip()}".strip()),
+            body=body,
+            extra=extra,
             data=json_for_html({**as_json(self.document), "tiles": as_json(tiles)}),
             leaflet_script=scripts[0],
             script=scripts[1],

@@ -7,7 +7,7 @@ from dataclasses import asdict
 
 from ..document.model import Document, Figure
 from ..document.model_vehicle import CostTexts, Vehicle
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = [
     "about",
@@ -22,7 +22,7 @@ __all__ = [
 ]
 
 
-def opening(document: Document) -> Markup:
+def opening(document: Document) -> Piece:
     """Return what stands before the map: icons, and the title that is only printed.
 
     Parameters
@@ -32,13 +32,13 @@ def opening(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Piece
         The beginning of the body.
     """
-    return fill("opening", icons=fill("icons"), title=document.title)
+    return Piece("opening", {"icons": Piece("icons"), "title": document.title})
 
 
-def heading(document: Document) -> Markup:
+def heading(document: Document) -> Piece:
     """Return title, subtitle and figures.
 
     Parameters
@@ -48,18 +48,20 @@ def heading(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Piece
         The head of the panel.
     """
-    return fill(
+    return Piece(
         "heading",
-        title=document.title,
-        subtitle=document.subtitle,
-        figures=figures(document.totals.figures),
+        {
+            "title": document.title,
+            "subtitle": document.subtitle,
+            "figures": figures(document.totals.figures),
+        },
     )
 
 
-def figures(found: Iterable[Figure]) -> Markup:
+def figures(found: Iterable[Figure]) -> Tree:
     """Return the large figures at the head of a page.
 
     Parameters
@@ -69,10 +71,10 @@ def figures(found: Iterable[Figure]) -> Markup:
 
     Returns
     -------
-    Markup
+    Tree
         Side by side.
     """
-    return join(fill("figure", **asdict(figure)) for figure in found)
+    return tuple(Piece("figure", {**asdict(figure)}) for figure in found)
 
 
 def costs_of(text: CostTexts) -> dict[str, str]:
@@ -91,7 +93,7 @@ def costs_of(text: CostTexts) -> dict[str, str]:
     return {"alone": text.alone, "joint": text.joint, "saved": text.saved, "share": text.share}
 
 
-def items(texts: Iterable[str]) -> Markup:
+def items(texts: Iterable[str]) -> Tree:
     """Return texts as the items of a list.
 
     Parameters
@@ -101,13 +103,13 @@ def items(texts: Iterable[str]) -> Markup:
 
     Returns
     -------
-    Markup
+    Tree
         One item each.
     """
-    return join(fill("item", text=text) for text in texts)
+    return tuple(Piece("item", {"text": text}) for text in texts)
 
 
-def credit_lines(document: Document) -> Markup:
+def credit_lines(document: Document) -> Tree:
     """Return the credits that stand on the map.
 
     Parameters
@@ -117,13 +119,13 @@ def credit_lines(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Tree
         One line each.
     """
-    return join(fill("credit", text=text) for text in document.provenance.credits)
+    return tuple(Piece("credit", {"text": text}) for text in document.provenance.credits)
 
 
-def unit_note(document: Document) -> Markup:
+def unit_note(document: Document) -> Tree:
     """Return what the unit of the costs means, if that needs saying.
 
     Parameters
@@ -133,39 +135,41 @@ def unit_note(document: Document) -> Markup:
 
     Returns
     -------
-    Markup
+    Tree
         A note, or nothing.
     """
     note = document.cost_unit.note
-    return fill("unit-note", note=note) if note else NOTHING
+    return Piece("unit-note", {"note": note}) if note else NOTHING
 
 
-def about(document: Document, rows: Markup, remarks: Markup = NOTHING) -> Markup:
+def about(document: Document, rows: Tree, remarks: Tree = NOTHING) -> Piece:
     """Return where a plan comes from.
 
     Parameters
     ----------
     document : Document
         What is shown.
-    rows, remarks : Markup
+    rows, remarks : Tree
         What stands between proof and credits.
 
     Returns
     -------
-    Markup
+    Piece
         Proof, rows, remarks and credits.
     """
     provenance = document.provenance
-    return fill(
+    return Piece(
         "about",
-        proof=fill("proof", text=provenance.proof) if provenance.proof else NOTHING,
-        rows=rows,
-        remarks=remarks,
-        credit_items=items(provenance.credits),
+        {
+            "proof": Piece("proof", {"text": provenance.proof}) if provenance.proof else NOTHING,
+            "rows": rows,
+            "remarks": remarks,
+            "credit_items": items(provenance.credits),
+        },
     )
 
 
-def badge(vehicle: Vehicle) -> Markup:
+def badge(vehicle: Vehicle) -> Piece:
     """Return a vehicle's letter in a disc of its colour.
 
     Parameters
@@ -175,7 +179,9 @@ def badge(vehicle: Vehicle) -> Markup:
 
     Returns
     -------
-    Markup
+    Piece
         An SVG.
     """
-    return fill("badge", colour=vehicle.colour, letter=vehicle.letter, size=vehicle.letter_size)
+    return Piece(
+        "badge", {"colour": vehicle.colour, "letter": vehicle.letter, "size": vehicle.letter_size}
+    )

@@ -12,7 +12,7 @@ from ..document.model import Document, Group
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
 from ..maps.static_map import static_map
-from ..markup.fragments import NOTHING, Markup, fill, join
+from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss
 from .cost_bars import cost_bars
 from .cost_table import cost_table, overview
@@ -25,145 +25,157 @@ OPEN_UP_TO = 12
 """Vehicles in a plan all of whose groups are open from the start."""
 
 
-def page_body(document: Document, live_map: Markup) -> Markup:
+def page_body(document: Document, live_map: Tree) -> Piece:
     """Return all that stands in the page's body but its scripts.
 
     Parameters
     ----------
     document : Document
         What is shown.
-    live_map : Markup
+    live_map : Tree
         The element that the script draws in.
 
     Returns
     -------
-    Markup
+    Piece
         Map, legend and panel.
     """
     provenance = document.provenance
-    return fill(
+    return Piece(
         "body",
-        opening=opening(document),
-        live_map=live_map,
-        static_map=static_map(document),
-        legend=legend(document),
-        credits=credit_lines(document),
-        heading=heading(document),
-        journey=_journey(document),
-        vehicles=_vehicles(document),
-        fatigue=fatigue_chart(document),
-        notes=_notes(document),
-        about=about(
-            document,
-            join(_about_row(label, text) for label, text in provenance.rows),
-            _list("remarks", provenance.remarks),
-        ),
+        {
+            "opening": opening(document),
+            "live_map": live_map,
+            "static_map": static_map(document),
+            "legend": legend(document),
+            "credits": credit_lines(document),
+            "heading": heading(document),
+            "journey": _journey(document),
+            "vehicles": _vehicles(document),
+            "fatigue": fatigue_chart(document),
+            "notes": _notes(document),
+            "about": about(
+                document,
+                tuple(_about_row(label, text) for label, text in provenance.rows),
+                _list("remarks", provenance.remarks),
+            ),
+        },
     )
 
 
-def _journey(document: Document) -> Markup:
+def _journey(document: Document) -> Tree:
     if (schedule := document.schedule) is not None:
         minutes = (schedule.end_s - schedule.begin_s) / 60
-        return fill("journey-by-clock", minutes=f"{minutes:.3f}")
+        return Piece("journey-by-clock", {"minutes": f"{minutes:.3f}"})
     scale = document.journey
-    return NOTHING if scale is None else fill("journey", km=f"{scale.length_m / 1000:.4f}")
+    return NOTHING if scale is None else Piece("journey", {"km": f"{scale.length_m / 1000:.4f}"})
 
 
-def _vehicles(document: Document) -> Markup:
+def _vehicles(document: Document) -> Piece:
     """Return table, bars, way and events: at once for one small group, else group by group."""
     groups, every = document.groups, range(len(document.vehicles))
     unit, note, totals = document.cost_unit.label, unit_note(document), document.totals
     if len(every) <= CROWD and sum(group.is_platoon for group in groups) <= 1:
-        return fill(
+        return Piece(
             "one-group",
-            unit=unit,
-            unit_note=note,
-            table=cost_table(document, every, "All vehicles", totals.text, "Costs"),
-            day=schedule_chart(document, every),
-            bars=join([cost_bars(document, every), waiting_bars(document, every)]),
-            along=_way(document, every),
-            events=_events(document, every),
+            {
+                "unit": unit,
+                "unit_note": note,
+                "table": cost_table(document, every, "All vehicles", totals.text, "Costs"),
+                "day": schedule_chart(document, every),
+                "bars": (cost_bars(document, every), waiting_bars(document, every)),
+                "along": _way(document, every),
+                "events": _events(document, every),
+            },
         )
-    return fill(
+    return Piece(
         "groups",
-        unit=unit,
-        unit_note=note,
-        overview=overview(document),
-        groups=join(_group(document, number, group) for number, group in enumerate(groups)),
-        sign=gain_or_loss(totals.solo_cost - totals.joint_cost),
-        **costs_of(totals.text),
+        {
+            "unit": unit,
+            "unit_note": note,
+            "overview": overview(document),
+            "groups": tuple(_group(document, number, group) for number, group in enumerate(groups)),
+            "sign": gain_or_loss(totals.solo_cost - totals.joint_cost),
+            **costs_of(totals.text),
+        },
     )
 
 
-def _group(document: Document, number: int, group: Group) -> Markup:
+def _group(document: Document, number: int, group: Group) -> Piece:
     members, key = group.vehicles, f"-{number}"
     together = group.is_platoon
     # A few groups are open from the start; of many, the first shows what the others hold.
     is_open = number == 0 or (len(document.vehicles) <= OPEN_UP_TO and together)
-    return fill(
+    return Piece(
         "group",
-        open=fill("group-open") if is_open else NOTHING,
-        name=group.name,
-        facts=group.facts,
-        table=cost_table(document, members, "Together", group.text, f"Costs, {group.name}"),
-        bars=join([cost_bars(document, members, key), waiting_bars(document, members, key)])
-        if together
-        else NOTHING,
-        day=schedule_chart(document, members, key),
-        along=_way(document, members, key) if together else NOTHING,
-        events=_events(document, members, key),
+        {
+            "open": Piece("group-open") if is_open else NOTHING,
+            "name": group.name,
+            "facts": group.facts,
+            "table": cost_table(document, members, "Together", group.text, f"Costs, {group.name}"),
+            "bars": (cost_bars(document, members, key), waiting_bars(document, members, key))
+            if together
+            else NOTHING,
+            "day": schedule_chart(document, members, key),
+            "along": _way(document, members, key) if together else NOTHING,
+            "events": _events(document, members, key),
+        },
     )
 
 
-def _way(document: Document, members: Sequence[int], key: str = "") -> Markup:
+def _way(document: Document, members: Sequence[int], key: str = "") -> Tree:
     """Return the way by distance; where there are times the schedule takes its place."""
     return NOTHING if document.schedule is not None else along_chart(document, members, key)
 
 
-def _list(fragment: str, texts: Sequence[str]) -> Markup:
-    return fill(fragment, items=items(texts)) if texts else NOTHING
+def _list(fragment: str, texts: Sequence[str]) -> Tree:
+    return Piece(fragment, {"items": items(texts)}) if texts else NOTHING
 
 
-def _about_row(label: str, text: str) -> Markup:
+def _about_row(label: str, text: str) -> Piece:
     if label == "sha256" and re.fullmatch("[0-9a-fA-F]{64}", text):
-        return fill("about-hash", label=label, text=text, short=text[:8], end=text[-4:])
-    return fill("about-row", label=label, text=text)
+        return Piece(
+            "about-hash", {"label": label, "text": text, "short": text[:8], "end": text[-4:]}
+        )
+    return Piece("about-row", {"label": label, "text": text})
 
 
-def _events(document: Document, members: Sequence[int], key: str = "") -> Markup:
+def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
     here = frozenset(members)
     found = [
-        fill(
+        Piece(
             "event",
-            index=index,
-            number=index + 1,
-            kind=event.kind.capitalize(),
-            icon=event.kind,
-            name=event.name,
-            text=event.text,
-            detail=event.detail,
+            {
+                "index": index,
+                "number": index + 1,
+                "kind": event.kind.capitalize(),
+                "icon": event.kind,
+                "name": event.name,
+                "text": event.text,
+                "detail": event.detail,
+            },
         )
         for index, event in enumerate(document.events)
         if event.concerns(here)
     ]
-    return fill("events", key=key, items=join(found)) if found else NOTHING
+    return Piece("events", {"key": key, "items": tuple(found)}) if found else NOTHING
 
 
-def _notes(document: Document) -> Markup:
+def _notes(document: Document) -> Tree:
     # Those of one reason share a note.
     alike: dict[tuple[bool, str], list[Vehicle]] = {}
     for vehicle in document.vehicles:
         alone = vehicle.role == "alone"
         if alone or vehicle.reason:
             alike.setdefault((alone, vehicle.reason), []).append(vehicle)
-    notes: list[Markup] = late_note(document)
+    notes: list[Piece] = late_note(document)
     for (alone, reason), vehicles in alike.items():
         lead = ", ".join(vehicle.letter for vehicle in vehicles)
         if alone:
             lead += " stays alone" if len(vehicles) == 1 else " stay alone"
         lead += ":" if reason else "."
         face = badge(vehicles[0]) if len(vehicles) == 1 else NOTHING
-        notes.append(fill("note-vehicle", badge=face, lead=lead, text=reason))
+        notes.append(Piece("note-vehicle", {"badge": face, "lead": lead, "text": reason}))
     guessed = [vehicle for vehicle in document.vehicles if vehicle.inferred_text]
     if guessed:
         listed = ", ".join(f"{v.letter} {v.inferred_text}" for v in guessed)
@@ -171,5 +183,5 @@ def _notes(document: Document) -> Markup:
             "Road that the map does not hold but the loader inferred, drawn dashed, "
             f"is part of these routes: {listed}."
         )
-        notes.append(fill("note-inferred", text=text))
-    return fill("notes", items=join(notes)) if notes else NOTHING
+        notes.append(Piece("note-inferred", {"text": text}))
+    return Piece("notes", {"items": tuple(notes)}) if notes else NOTHING
