@@ -10,7 +10,7 @@ from ..drawing.palette import FRAME, INK, MUTED, NETWORK, PAPER, PLATOON, PLATOO
 from ..maps.lanes import band_aside, band_lines, band_width, solo_aside
 from ..maps.map_texts import placed_callouts, placed_names
 from ..maps.map_view import MapView
-from ..maps.pixels import laid
+from ..maps.pixels import laid, simplified
 from ..maps.placement import Box, Cover
 from ..markup.shown_text import shortened
 from .paper import WIDTH_IN, axes_of, dash_of
@@ -46,13 +46,14 @@ def corridor(document: Document) -> Figure:
     axes.set_axis_off()
     axes.set_xlim(0, view.width)
     axes.set_ylim(view.height, 0)
-    background = [view.pixels(line) for line in document.basemap.known]
+    background = [simplified(view.pixels(line)) for line in document.basemap.known]
     axes.add_collection(LineCollection(background, colors=NETWORK, linewidths=_points(1.6, view)))
     _routes(axes, document, view, cover)
     _marks(axes, document, view, cover)
-    for one in placed_callouts(document, view, cover):
+    places = view.places(document)
+    for one in placed_callouts(document, places.events, cover):
         _callout(axes, one, view)
-    for text, box in placed_names(document, view, cover):
+    for text, box in placed_names(document, places.towns, cover):
         axes.text(
             box.left + box.width / 2,
             box.top + 9,
@@ -84,13 +85,17 @@ def _routes(axes: Axes, document: Document, view: MapView, cover: Cover) -> None
 
     for solo in document.solos:
         vehicle = vehicles[solo.vehicle]
-        points = laid([(view.pixels(part.line), solo_aside(part, view)) for part in solo.parts])
+        points = laid(
+            [(simplified(view.pixels(part.line)), solo_aside(part, view)) for part in solo.parts]
+        )
         cover.add_line(points)
         line(points, PAPER, 7.0)
         line(points, vehicle.colour, 3.6, **dash_of(vehicle))
     for section in document.platoons:
         step, width = band_lines(len(section.vehicles))
-        roads = [(view.pixels(part.line), band_aside(part, view)) for part in section.parts]
+        roads = [
+            (simplified(view.pixels(part.line)), band_aside(part, view)) for part in section.parts
+        ]
         asides = [
             (place - (len(section.vehicles) - 1) / 2) * step
             for place in range(len(section.vehicles))

@@ -49,9 +49,10 @@ def provenance(plan: Plan, net: RoadNetwork, unit: CostUnit) -> Provenance:
         ("Costs", ", ".join(_parameters(plan.params))),
         ("Made by", f"platoon_osm {plan.version}".strip()),
     )
+    proof = proof_text(plan.proof, unit)
     return Provenance(
         rows=tuple(LabelledText(label, fitted(text)) for label, text in rows if text),
-        proof=fitted(proof_text(plan.proof, unit)),
+        proof=fitted(proof),
         remarks=tuple(fitted(remark) for remark in plan.remarks),
         credits=credits(plan, net),
     )
@@ -97,7 +98,15 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
     str
         The sentence; empty if nothing is known.
     """
-    kind = shown(proof.get("kind", ""))
+    others = {
+        key: value
+        for key, value in proof.items()
+        if key not in PROOF_KEYS and value not in (None, "", (), [])
+    }
+    raw = [proof.get("kind", ""), *_items(proof.get("conditions"))]
+    # Every text of others is made fit here, before any of them is put into a sentence.
+    kind, *conditions = (shown(text) for text in raw)
+    told = [(shown(key), _value(value)) for key, value in others.items()]
     bound, gap = _number(proof, "bound"), _number(proof, "gap")
     excess, optimum = _number(proof, "excess"), _number(proof, "optimum")
     solo_excess = _number(proof, "solo_excess")
@@ -118,12 +127,8 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
         parts.append(f"its routes alone cost {percent(solo_excess)} above the least")
     if optimum is not None:
         parts.append(f"the optimum costs {unit.full(optimum)}")
-    parts += _sentences(proof.get("conditions"))
-    parts += [
-        f"{shown(key).replace('_', ' ')}: {_value(value)}"
-        for key, value in proof.items()
-        if key not in PROOF_KEYS and value not in (None, "", (), [])
-    ]
+    parts += conditions
+    parts += [f"{key.replace('_', ' ')}: {text}" for key, text in told]
     head, *rest = parts or [""]
     text = f"{head}: {'; '.join(rest)}" if rest else head
     return f"{text.rstrip('.')}." if text else ""
@@ -135,12 +140,10 @@ def _day(moment: str) -> str:
     return day if t and len(day) == 10 else moment
 
 
-def _sentences(value: object) -> list[str]:
+def _items(value: object) -> list[object]:
     if not value:
         return []
-    if isinstance(value, list | tuple):
-        return [shown(item) for item in value]
-    return [shown(value)]
+    return list(value) if isinstance(value, list | tuple) else [value]
 
 
 def _number(proof: Mapping[str, object], name: str) -> float | None:

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
+from ..document.model import Document
 from ..document.model_map import BandPart, LanePart
 from .map_view import MapView
 
 __all__ = [
+    "Strip",
     "band_aside",
     "band_lines",
+    "band_strips",
     "band_width",
     "bands_width",
     "solo_aside",
     "solo_step",
+    "solo_strips",
 ]
 
 SOLO_CASING = 7.0
@@ -134,3 +139,72 @@ def solo_aside(part: LanePart, view: MapView) -> float:
         return float(width / 2 + 4 + step * part.slot + _apart(part, width, view))
     across = step * (part.slots - 1)
     return float(step * part.slot - across / 2 + _apart(part, across + SOLO_CASING, view))
+
+
+class Strip(NamedTuple):
+    """Where the lines of one stretch lie beside its roads, in pixels.
+
+    Attributes
+    ----------
+    asides : list of float
+        How far right of each road their middle lies.
+    offsets : list of float
+        How far right of that middle each line lies.
+    width : float
+        Of a line.
+    inner : float
+        Width of the band they lie in; 0 without one.
+    """
+
+    asides: list[float]
+    offsets: list[float]
+    width: float
+    inner: float
+
+
+def solo_strips(document: Document, view: MapView) -> list[Strip]:
+    """Return where the line of each vehicle alone lies.
+
+    Parameters
+    ----------
+    document : Document
+        What is drawn.
+    view : MapView
+        Where on the drawing things lie.
+
+    Returns
+    -------
+    list of Strip
+        In the order of the document's solos.
+    """
+    found: list[Strip] = []
+    for solo in document.solos:
+        slots = max((part.slots for part in solo.parts), default=1)
+        width = min(3.6, max(1.3, solo_step(slots) * 0.8))
+        found.append(Strip([solo_aside(part, view) for part in solo.parts], [0.0], width, 0.0))
+    return found
+
+
+def band_strips(document: Document, view: MapView) -> list[Strip]:
+    """Return where the lines of each platoon lie in its band, and the band's middle before them.
+
+    Parameters
+    ----------
+    document : Document
+        What is drawn.
+    view : MapView
+        Where on the drawing things lie.
+
+    Returns
+    -------
+    list of Strip
+        In the order of the document's platoons.
+    """
+    found: list[Strip] = []
+    for section in document.platoons:
+        count = len(section.vehicles)
+        step, width = band_lines(count)
+        lanes = ((place - (count - 1) / 2) * step for place in range(count))
+        asides = [band_aside(part, view) for part in section.parts]
+        found.append(Strip(asides, [0.0, *lanes], width, band_width(count)))
+    return found

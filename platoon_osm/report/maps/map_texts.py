@@ -7,13 +7,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..document.model import Document
-from ..drawing.basemap import BASEMAP_STEPS
 from ..drawing.crowd import MANY_EVENTS
 from ..drawing.lines import Point
-from .map_view import MapView
-from .placement import Box, Cover, text_width
+from .placement import Box, Cover
 
-__all__ = ["NAME_SIZE", "Callout", "placed_callouts", "placed_names"]
+__all__ = ["NAME_SIZE", "Callout", "placed_callouts", "placed_names", "text_width"]
 
 NAME_SIZE = 11.5
 """Of a town's name, in pixels."""
@@ -46,21 +44,17 @@ class Callout:
     near: tuple[float, float] | None
 
 
-def placed_callouts(
-    document: Document, view: MapView, cover: Cover, places: Sequence[Point] = ()
-) -> Iterator[Callout]:
+def placed_callouts(document: Document, places: Sequence[Point], cover: Cover) -> Iterator[Callout]:
     """Yield the callouts of all events that find room, where they cover least.
 
     Parameters
     ----------
     document : Document
         Whose events they are.
-    view : MapView
-        Where on the drawing things lie.
+    places : sequence of tuple of float
+        Where the events or their marks stand, in pixels.
     cover : Cover
         What is taken already; callouts take their room.
-    places : sequence of tuple of float
-        Where the events' marks stand; by default where the events are.
 
     Yields
     ------
@@ -68,8 +62,7 @@ def placed_callouts(
         In the order of the events.
     """
     worst = 1_000 if len(document.events) <= MANY_EVENTS else 60
-    for number, event in enumerate(document.events):
-        x, y = places[number] if places else view.at(event.lon, event.lat)
+    for event, (x, y) in zip(document.events, places, strict=True):
         head = _clipped(f"{event.kind.capitalize()}: {event.name}", 11.5, True)
         line = _clipped(event.text, 11, False)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))
@@ -101,7 +94,7 @@ def _around(
 
 
 def placed_names(
-    document: Document, view: MapView, cover: Cover, scale: float = 1.0
+    document: Document, places: Sequence[Point], cover: Cover, scale: float = 1.0
 ) -> Iterator[tuple[str, Box]]:
     """Yield the names of towns that find room.
 
@@ -109,8 +102,8 @@ def placed_names(
     ----------
     document : Document
         Whose towns they are.
-    view : MapView
-        Where on the drawing things lie.
+    places : sequence of tuple of float
+        Where they are, in pixels.
     cover : Cover
         What is taken already; names take their room.
     scale : float
@@ -124,9 +117,8 @@ def placed_names(
     placed: list[tuple[float, float, float]] = []
     size = NAME_SIZE * scale
     high, side = 18 * scale, 4 * scale
-    for lon, lat, name, rank in document.towns:
-        x, y = view.at(lon / BASEMAP_STEPS, lat / BASEMAP_STEPS)
-        if rank > 1 or not (0 < x < view.width and 0 < y < view.height):
+    for (_, _, name, rank), (x, y) in zip(document.towns, places, strict=True):
+        if rank > 1 or not (0 < x < cover.width and 0 < y < cover.height):
             continue
         text = _clipped(name, size, False, scale)
         width = text_width(text, size)
@@ -138,7 +130,7 @@ def placed_names(
         ):
             continue
         wide, left = width + 2 * side, x - width / 2 - side
-        places = (
+        spots = (
             (Box(left, y - high - 2, wide, high), 0.0),
             (Box(left, y + 3, wide, high), 0.5),
             (Box(x + 2, y - high / 2, wide, high), 1.0),
@@ -147,7 +139,36 @@ def placed_names(
             (Box(left, y + 12 * scale, wide, high), 1.5),
         )
         # Large names may touch a line, or hardly any would find a place.
-        box = cover.place(places, 8.0 if scale == 1 else 16.0 * scale)
+        box = cover.place(spots, 8.0 if scale == 1 else 16.0 * scale)
         if box is not None:
             placed.append((x, y, width))
             yield text, box
+
+
+def text_width(text: str, size: float, bold: bool = False) -> float:
+    """Return about how wide a text is in a common sans-serif face; rather too wide.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    size : float
+        Of its type, in pixels.
+    bold : bool
+        Whether it is bold.
+
+    Returns
+    -------
+    float
+        In pixels.
+    """
+    return sum(map(_em, text)) * size * (1.17 if bold else 1.0)
+
+
+def _em(character: str) -> float:
+    if character in "iljtfrI.,:;'|! ":
+        return 0.38
+    if character in "mwMW@%":
+        return 0.9
+    # Ideographs and most emoji stand in a square.
+    return 0.63 if ord(character) < 0x2E80 else 1.05

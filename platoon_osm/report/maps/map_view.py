@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from ..document.model import Document
+from ..drawing.basemap import BASEMAP_STEPS
 from ..drawing.lines import Line, Point
-from .pixels import path_data, simplified
 
-__all__ = ["MapView"]
+__all__ = ["MapView", "Places"]
 
 WIDTH = 960.0
 LEAST_HEIGHT, MOST_HEIGHT = 690.0, 980.0
 MARGIN = 60.0
-MOST_NETWORK_DATA = 80_000
-"""Characters of path data that the still map spends on the background."""
 
 
 def mercator(lon: float, lat: float) -> Point:
@@ -35,6 +34,25 @@ def mercator(lon: float, lat: float) -> Point:
     """
     lat = max(-85.0, min(85.0, lat))
     return lon, -math.degrees(math.asinh(math.tan(math.radians(lat))))
+
+
+class Places(NamedTuple):
+    """Where the points of a document lie on a drawing, in pixels and in the document's order.
+
+    Attributes
+    ----------
+    events : list of tuple of float
+        Where vehicles merge or separate.
+    origins, destinations : list of tuple of float
+        Where each vehicle starts and ends.
+    towns : list of tuple of float
+        Where the towns are.
+    """
+
+    events: list[Point]
+    origins: list[Point]
+    destinations: list[Point]
+    towns: list[Point]
 
 
 class MapView:
@@ -97,7 +115,7 @@ class MapView:
         return x * self.per_degree + self._x, y * self.per_degree + self._y
 
     def pixels(self, line: Line) -> list[Point]:
-        """Return a line in pixels, without points that make no difference.
+        """Return a line in pixels.
 
         Parameters
         ----------
@@ -107,63 +125,33 @@ class MapView:
         Returns
         -------
         list of tuple of float
-            Its pixels.
+            Each of its points.
         """
-        return simplified([self.at(lon, lat) for lon, lat in line.degrees()], 0.6)
+        return [self.at(lon, lat) for lon, lat in line.degrees()]
 
-    def path(self, lines: Iterable[Line]) -> str:
-        """Return those lines that come near the drawing.
+    def places(self, document: Document) -> Places:
+        """Return where the points of a document lie.
 
         Parameters
         ----------
-        lines : iterable of Line
-            Of the document.
+        document : Document
+            Whose events, ends and towns they are.
 
         Returns
         -------
-        str
-            SVG path data.
+        Places
+            Their pixels.
         """
-        kept = (self.pixels(line) for line in lines)
-        return "".join(path_data(points) for points in kept if self._near(points))
-
-    def network_path(self, lines: Iterable[Line], most: int = MOST_NETWORK_DATA) -> str:
-        """Return the background: to half a pixel, twin carriageways once.
-
-        Parameters
-        ----------
-        lines : iterable of Line
-            Of the network.
-        most : int
-            About how many characters it may take.
-
-        Returns
-        -------
-        str
-            SVG path data.
-        """
-        kept: dict[tuple[Point, ...], list[Point]] = {}
-        for line in lines:
-            points = [(round(x * 2) / 2, round(y * 2) / 2) for x, y in self.pixels(line)]
-            if not self._near(points) or max(np.ptp(np.asarray(points), axis=0)) < 1.5:
-                continue
-            # The other carriageway has nearly the same ends, a pixel or two apart.
-            ends = tuple(sorted((round(x / 3), round(y / 3)) for x, y in (points[0], points[-1])))
-            kept.setdefault(ends, points)
-        # A dense network would outweigh all the rest of the page: its shortest lines stay out.
-        longest = sorted(kept.values(), key=lambda line: -float(np.ptp(line, axis=0).sum()))
-        room = most
-        parts: list[str] = []
-        for points in longest:
-            parts.append(path_data(points))
-            room -= len(parts[-1])
-            if room < 0:
-                break
-        return "".join(parts)
-
-    def _near(self, points: Sequence[Point]) -> bool:
-        xs, ys = zip(*points, strict=True)
-        return bool(max(xs) > 0 and min(xs) < self.width and max(ys) > 0 and min(ys) < self.height)
+        vehicles = document.vehicles
+        return Places(
+            events=[self.at(event.lon, event.lat) for event in document.events],
+            origins=[self.at(one.origin.lon, one.origin.lat) for one in vehicles],
+            destinations=[self.at(one.destination.lon, one.destination.lat) for one in vehicles],
+            towns=[
+                self.at(lon / BASEMAP_STEPS, lat / BASEMAP_STEPS)
+                for lon, lat, _, _ in document.towns
+            ],
+        )
 
 
 def _plan_lines(document: Document) -> Iterator[Line]:

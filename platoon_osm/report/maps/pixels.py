@@ -3,14 +3,30 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
 from ..drawing.lines import Point
 
-__all__ = ["laid", "path_data", "shifted", "simplified"]
+__all__ = [
+    "DrawnLine",
+    "laid",
+    "lines_along",
+    "network_path",
+    "path_data",
+    "path_of",
+    "shifted",
+    "simplified",
+]
+
+TOLERANCE = 0.6
+"""How far a line may move to be simpler, in pixels."""
+
+MOST_NETWORK_DATA = 80_000
+"""Characters of path data that the still map spends on the background."""
 
 SHORT = 12.0
 """Pixels of road that are too short for a place of their own."""
@@ -38,7 +54,7 @@ def path_data(points: Sequence[Point]) -> str:
     return "".join(out).rstrip()
 
 
-def simplified(points: list[Point], tolerance: float) -> list[Point]:
+def simplified(points: list[Point], tolerance: float = TOLERANCE) -> list[Point]:
     """Return a line without points that make no difference.
 
     Parameters
@@ -126,3 +142,108 @@ def laid(roads: Sequence[tuple[Sequence[Point], float]]) -> list[Point]:
         for points, aside, _ in runs
         for point in shifted(simplified(points, abs(aside) / 5), aside)
     ]
+
+
+class DrawnLine(NamedTuple):
+    """A line as it is drawn.
+
+    Attributes
+    ----------
+    points : list of tuple of float
+        Its pixels.
+    path : str
+        The same as SVG path data.
+    """
+
+    points: list[Point]
+    path: str
+
+
+def lines_along(
+    roads: Sequence[list[Point]], asides: Sequence[float], offsets: Sequence[float] = (0.0,)
+) -> list[DrawnLine]:
+    """Return lines that run beside one another along the same roads.
+
+    Parameters
+    ----------
+    roads : sequence of list
+        The points of each road in pixels.
+    asides : sequence of float
+        How far right of each road the middle of the lines lies.
+    offsets : sequence of float
+        How far right of that middle each line lies.
+
+    Returns
+    -------
+    list of DrawnLine
+        One for each offset.
+    """
+    simple = [simplified(road) for road in roads]
+    lines = (
+        laid([(road, aside + offset) for road, aside in zip(simple, asides, strict=True)])
+        for offset in offsets
+    )
+    return [DrawnLine(points, path_data(points)) for points in lines]
+
+
+def path_of(lines: Iterable[list[Point]], width: float, height: float) -> str:
+    """Return those lines that come near the drawing.
+
+    Parameters
+    ----------
+    lines : iterable of list
+        Their points in pixels.
+    width, height : float
+        Of the drawing.
+
+    Returns
+    -------
+    str
+        SVG path data.
+    """
+    kept = (simplified(line) for line in lines)
+    return "".join(path_data(points) for points in kept if _near(points, width, height))
+
+
+def network_path(
+    lines: Iterable[list[Point]], width: float, height: float, most: int = MOST_NETWORK_DATA
+) -> str:
+    """Return the background: to half a pixel, twin carriageways once.
+
+    Parameters
+    ----------
+    lines : iterable of list
+        Their points in pixels.
+    width, height : float
+        Of the drawing.
+    most : int
+        About how many characters it may take.
+
+    Returns
+    -------
+    str
+        SVG path data.
+    """
+    kept: dict[tuple[Point, ...], list[Point]] = {}
+    for line in lines:
+        points = [(round(x * 2) / 2, round(y * 2) / 2) for x, y in simplified(line)]
+        if not _near(points, width, height) or max(np.ptp(np.asarray(points), axis=0)) < 1.5:
+            continue
+        # The other carriageway has nearly the same ends, a pixel or two apart.
+        ends = tuple(sorted((round(x / 3), round(y / 3)) for x, y in (points[0], points[-1])))
+        kept.setdefault(ends, points)
+    # A dense network would outweigh all the rest of the page: its shortest lines stay out.
+    longest = sorted(kept.values(), key=lambda line: -float(np.ptp(line, axis=0).sum()))
+    room = most
+    parts: list[str] = []
+    for points in longest:
+        parts.append(path_data(points))
+        room -= len(parts[-1])
+        if room < 0:
+            break
+    return "".join(parts)
+
+
+def _near(points: Sequence[Point], width: float, height: float) -> bool:
+    xs, ys = zip(*points, strict=True)
+    return bool(max(xs) > 0 and min(xs) < width and max(ys) > 0 and min(ys) < height)

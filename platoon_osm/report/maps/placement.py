@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-__all__ = ["Box", "Cover", "text_width"]
+__all__ = ["Box", "Cover"]
 
 CELL = 5.0
 SOLID = 1_000
@@ -88,6 +88,30 @@ class Cover:
                 cell = self._cell(x0 + (x1 - x0) * share, y0 + (y1 - y0) * share)
                 self._weight[cell] = max(self._weight[cell], weight)
 
+    def add_lines(self, lines: Iterable[Sequence[tuple[float, float]]], weight: int = LINE) -> None:
+        """Mark the cells that lines pass.
+
+        Parameters
+        ----------
+        lines : iterable of sequence
+            The pixels of each.
+        weight : int
+            How much each cell counts when it is covered.
+        """
+        for points in lines:
+            self.add_line(points, weight)
+
+    def add_boxes(self, boxes: Iterable[Box]) -> None:
+        """Mark boxes as taken by marks or texts.
+
+        Parameters
+        ----------
+        boxes : iterable of Box
+            What is taken.
+        """
+        for box in boxes:
+            self.add_box(box)
+
     def add_box(self, box: Box) -> None:
         """Mark a box as taken by a mark or text.
 
@@ -149,32 +173,3 @@ class Cover:
         left, top = self._cell(box.left, box.top)
         right, bottom = self._cell(box.right, box.bottom)
         return ((x, y) for x in range(left, right + 1) for y in range(top, bottom + 1))
-
-
-def text_width(text: str, size: float, bold: bool = False) -> float:
-    """Return about how wide a text is in a common sans-serif face; rather too wide.
-
-    Parameters
-    ----------
-    text : str
-        The text.
-    size : float
-        Of its type, in pixels.
-    bold : bool
-        Whether it is bold.
-
-    Returns
-    -------
-    float
-        In pixels.
-    """
-    return sum(map(_em, text)) * size * (1.17 if bold else 1.0)
-
-
-def _em(character: str) -> float:
-    if character in "iljtfrI.,:;'|! ":
-        return 0.38
-    if character in "mwMW@%":
-        return 0.9
-    # Ideographs and most emoji stand in a square.
-    return 0.63 if ord(character) < 0x2E80 else 1.05

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from ..document.model import Document
-from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD, MOST_SPOKEN
-from ..drawing.lines import Point
 from ..drawing.palette import CASING
 from ..drawing.ticks import round_below
 from ..markup.fragments import NOTHING, Piece, Tree
-from .lanes import band_aside, band_lines, band_width, solo_aside, solo_step
-from .map_texts import NAME_SIZE, placed_callouts, placed_names
+from .lanes import band_strips, solo_strips
+from .map_texts import NAME_SIZE, Callout, placed_callouts, placed_names
 from .map_view import MapView
-from .pixels import laid, path_data
+from .pixels import DrawnLine, lines_along, network_path, path_of
 from .placement import Box, Cover
-from .static_marks import event_places, placed_marks
+from .static_marks import placed_marks
 
 __all__ = ["NARROW", "small_maps", "static_map", "static_texts", "town_names"]
 
@@ -40,14 +38,6 @@ def static_map(document: Document) -> Piece:
         One SVG.
     """
     view = MapView([document])
-    cover = Cover(view.width, view.height)
-    routes = list(_routes(document, view, cover))
-    narrow = cover.copy()
-    marks = tuple(placed_marks(document, view, cover))
-    scale = _scale(view, cover)
-    # Callouts choose their place before names do: they matter more.
-    callouts = tuple(_callouts(document, view, cover))
-    names = tuple(town_names(document, view, cover))
     return Piece(
         "static-map",
         {
@@ -59,13 +49,8 @@ def static_map(document: Document) -> Piece:
                 f"{v.letter} {v.origin.name} to {v.destination.name}"
                 for v in document.vehicles[:MOST_SPOKEN]
             ),
-            "network": view.network_path(document.basemap.known),
-            "inferred": view.path(document.basemap.inferred),
-            "inferred_routes": view.path(document.inferred_routes),
-            "routes": tuple(routes),
-            "wide": static_texts("wide", names, marks, callouts),
-            "narrow": _narrow_texts(document, view, narrow, NARROW),
-            "scale": scale,
+            **_background(document, view),
+            **_foreground(document, view, NARROW, whole=True),
         },
     )
 
@@ -88,15 +73,10 @@ def small_maps(documents: Sequence[Document]) -> list[Piece]:
         An SVG for each. The network is drawn by the first alone; the others refer to it.
     """
     view = MapView(documents, SMALL_WIDTH, (SMALL_HEIGHT, SMALL_HEIGHT), margin=26.0)
-    lines = documents[0].basemap.known
-    network = Piece("small-network", {"path": view.network_path(lines, SMALL_NETWORK_DATA)})
+    known = [view.pixels(line) for line in documents[0].basemap.known]
+    path = network_path(known, view.width, view.height, SMALL_NETWORK_DATA)
     maps: list[Piece] = []
     for document in documents:
-        cover = Cover(view.width, view.height)
-        routes = tuple(_routes(document, view, cover))
-        narrow = cover.copy()
-        marks = tuple(placed_marks(document, view, cover))
-        names = tuple(town_names(document, view, cover))
         maps.append(
             Piece(
                 "small-map",
@@ -104,10 +84,8 @@ def small_maps(documents: Sequence[Document]) -> list[Piece]:
                     "width": f"{view.width:g}",
                     "height": f"{view.height:g}",
                     "title": f"Map: {document.title}, {document.subtitle}",
-                    "network": NOTHING if maps else network,
-                    "routes": routes,
-                    "wide": static_texts("wide", names, marks),
-                    "narrow": _narrow_texts(document, view, narrow, SMALL_NARROW),
+                    "network": NOTHING if maps else Piece("small-network", {"path": path}),
+                    **_foreground(document, view, SMALL_NARROW, whole=False),
                 },
             )
         )
@@ -146,140 +124,173 @@ def static_texts(
     )
 
 
-def _narrow_texts(document: Document, view: MapView, cover: Cover, scale: float) -> Tree:
-    """Return marks and names larger, and so fewer, for narrow screens; callouts have no room."""
-    marks = tuple(placed_marks(document, view, cover, scale))
-    names = tuple(town_names(document, view, cover, scale))
-    return static_texts("narrow", names, marks, scale=scale)
+def _background(document: Document, view: MapView) -> dict[str, str]:
+    """Return the paths of the network, of inferred roads, and of those on a route."""
+    basemap = document.basemap
+    known, inferred, on_routes = (
+        [view.pixels(line) for line in lines]
+        for lines in (basemap.known, basemap.inferred, document.inferred_routes)
+    )
+    return {
+        "network": network_path(known, view.width, view.height),
+        "inferred": path_of(inferred, view.width, view.height),
+        "inferred_routes": path_of(on_routes, view.width, view.height),
+    }
 
 
-def _routes(document: Document, view: MapView, cover: Cover) -> Iterator[Piece]:
-    vehicles = document.vehicles
-    solo_lines: list[tuple[str, Vehicle, float]] = []
-    for solo in document.solos:
-        points = laid([(view.pixels(part.line), solo_aside(part, view)) for part in solo.parts])
-        cover.add_line(points)
-        slots = max((part.slots for part in solo.parts), default=1)
-        width = min(3.6, max(1.3, solo_step(slots) * 0.8))
-        solo_lines.append((path_data(points), vehicles[solo.vehicle], width))
-    for path, _, width in solo_lines:
+def _foreground(document: Document, view: MapView, large: float, *, whole: bool) -> dict[str, Tree]:
+    """Return routes, and marks and texts for wide and for narrow screens.
+
+    On narrow screens they are larger, and so fewer. Callouts and a scale belong to a whole map.
+    """
+    places = view.places(document)
+    solo_roads = [[view.pixels(part.line) for part in one.parts] for one in document.solos]
+    band_roads = [[view.pixels(part.line) for part in one.parts] for one in document.platoons]
+    solos, bands = solo_strips(document, view), band_strips(document, view)
+    solo_lines = [
+        line
+        for roads, strip in zip(solo_roads, solos, strict=True)
+        for line in lines_along(roads, strip.asides)
+    ]
+    band_lines = [
+        lines_along(roads, strip.asides, strip.offsets)
+        for roads, strip in zip(band_roads, bands, strict=True)
+    ]
+    marks, larger = placed_marks(document, places), placed_marks(document, places, large)
+    length = round_below(120 * view.metres_per_pixel)
+    width = length / view.metres_per_pixel
+    cover = Cover(view.width, view.height)
+    cover.add_lines([line.points for line in solo_lines])
+    cover.add_lines([line.points for _, *lanes in band_lines for line in lanes], weight=4)
+    narrow = cover.copy()
+    narrow.add_boxes(larger.boxes)
+    cover.add_boxes(marks.boxes)
+    if whole:
+        cover.add_boxes([Box(4, view.height - 32, width + 20, 30)])
+    # Callouts choose their place before names do: they matter more.
+    callouts = list(placed_callouts(document, marks.events, cover)) if whole else []
+    names = list(placed_names(document, places.towns, cover))
+    larger_names = list(placed_names(document, places.towns, narrow, large))
+    found: dict[str, Tree] = {
+        "routes": (
+            *_solo_routes(document, solo_lines, [strip.width for strip in solos]),
+            *(
+                piece
+                for number, (lines, strip) in enumerate(zip(band_lines, bands, strict=True))
+                for piece in _band(document, number, lines, strip.width, strip.inner)
+            ),
+        ),
+        "wide": static_texts(
+            "wide", town_names(names), tuple(marks.pieces), tuple(map(_callout, callouts))
+        ),
+        "narrow": static_texts(
+            "narrow", town_names(larger_names, large), tuple(larger.pieces), scale=large
+        ),
+    }
+    if whole:
+        text = {"width": f"{width:.1f}", "text": _round_length(length)}
+        found["scale"] = Piece("static-scale", {"y": f"{view.height - 14:g}", **text})
+    return found
+
+
+def _solo_routes(
+    document: Document, lines: Sequence[DrawnLine], widths: Sequence[float]
+) -> Iterator[Piece]:
+    """Yield the lines of vehicles alone, over the casings of all of them."""
+    for line, width in zip(lines, widths, strict=True):
         yield Piece(
             "static-line",
             {
-                "path": path,
+                "path": line.path,
                 "colour": CASING,
                 "width": f"{width + 3.4:.3g}",
                 "dash": "none",
                 "cap": "butt",
             },
         )
-    for path, vehicle, width in solo_lines:
+    for solo, line, width in zip(document.solos, lines, widths, strict=True):
+        vehicle = document.vehicles[solo.vehicle]
         yield Piece(
             "static-line",
             {
-                "path": path,
+                "path": line.path,
                 "colour": vehicle.colour,
                 "width": f"{width:.3g}",
                 "dash": vehicle.stroke,
                 "cap": vehicle.cap,
             },
         )
-    for section in document.platoons:
-        count = len(section.vehicles)
-        lanes = [(view.pixels(part.line), band_aside(part, view)) for part in section.parts]
-        step, width = band_lines(count)
-        inner = band_width(count)
-
-        yield Piece(
-            "static-band",
-            {
-                "path": path_data(_lane(lanes, 0.0)),
-                "outer": f"{inner + 2:g}",
-                "inner": f"{inner:g}",
-            },
-        )
-        for place, index in enumerate(section.vehicles):
-            points = _lane(lanes, (place - (count - 1) / 2) * step)
-            cover.add_line(points, weight=4)
-            yield Piece(
-                "static-line",
-                {
-                    "path": path_data(points),
-                    "colour": vehicles[index].colour,
-                    "width": f"{width:.3g}",
-                    "dash": (count <= CROWD and vehicles[index].dash) or "none",
-                    "cap": vehicles[index].cap,
-                },
-            )
 
 
-def _lane(lanes: Sequence[tuple[Sequence[Point], float]], aside: float) -> list[Point]:
-    """Return one line along a band's roads, so far right of the band's middle."""
-    return laid([(points, band + aside) for points, band in lanes])
-
-
-def _callouts(document: Document, view: MapView, cover: Cover) -> Iterator[Piece]:
-    for one in placed_callouts(document, view, cover, event_places(document, view)):
-        leader = NOTHING
-        if one.near:
-            x2, y2 = one.near
-            leader = Piece(
-                "static-leader",
-                {"x1": f"{one.x:.1f}", "y1": f"{one.y:.1f}", "x2": f"{x2:.1f}", "y2": f"{y2:.1f}"},
-            )
-        box = one.box
-        yield Piece(
-            "static-callout",
-            {
-                "leader": leader,
-                "x": f"{box.left:.1f}",
-                "y": f"{box.top:.1f}",
-                "width": f"{box.width:.1f}",
-                "text_x": f"{box.left + 8:.1f}",
-                "head_y": f"{box.top + 14:.1f}",
-                "line_y": f"{box.top + 28:.1f}",
-                "head": one.head,
-                "line": one.line,
-            },
-        )
-
-
-def town_names(
-    document: Document, view: MapView, cover: Cover, scale: float = 1.0
+def _band(
+    document: Document, number: int, lines: Sequence[DrawnLine], width: float, inner: float
 ) -> Iterator[Piece]:
-    """Yield the names of towns that find room.
+    """Yield the band of a platoon and the lines in it."""
+    middle, *lanes = lines
+    members = [document.vehicles[index] for index in document.platoons[number].vehicles]
+    yield Piece(
+        "static-band",
+        {"path": middle.path, "outer": f"{inner + 2:g}", "inner": f"{inner:g}"},
+    )
+    for vehicle, line in zip(members, lanes, strict=True):
+        yield Piece(
+            "static-line",
+            {
+                "path": line.path,
+                "colour": vehicle.colour,
+                "width": f"{width:.3g}",
+                "dash": (len(members) <= CROWD and vehicle.dash) or "none",
+                "cap": vehicle.cap,
+            },
+        )
+
+
+def _callout(one: Callout) -> Piece:
+    leader: Tree = NOTHING
+    if one.near:
+        x2, y2 = one.near
+        leader = Piece(
+            "static-leader",
+            {"x1": f"{one.x:.1f}", "y1": f"{one.y:.1f}", "x2": f"{x2:.1f}", "y2": f"{y2:.1f}"},
+        )
+    box = one.box
+    return Piece(
+        "static-callout",
+        {
+            "leader": leader,
+            "x": f"{box.left:.1f}",
+            "y": f"{box.top:.1f}",
+            "width": f"{box.width:.1f}",
+            "text_x": f"{box.left + 8:.1f}",
+            "head_y": f"{box.top + 14:.1f}",
+            "line_y": f"{box.top + 28:.1f}",
+            "head": one.head,
+            "line": one.line,
+        },
+    )
+
+
+def town_names(names: Iterable[tuple[str, Box]], scale: float = 1.0) -> tuple[Piece, ...]:
+    """Return the names of towns.
 
     Parameters
     ----------
-    document : Document
-        Whose towns they are.
-    view : MapView
-        Where on the drawing things lie.
-    cover : Cover
-        What is taken already; names take their room.
+    names : iterable of tuple of str and Box
+        Each name and the box it stands in.
     scale : float
         How much larger than common they are.
 
-    Yields
-    ------
-    Piece
+    Returns
+    -------
+    tuple of Piece
         Each name.
     """
-    for text, box in placed_names(document, view, cover, scale):
-        yield Piece(
+    return tuple(
+        Piece(
             "static-name",
             {"x": f"{box.left + 4 * scale:.1f}", "y": f"{box.top + 13 * scale:.1f}", "text": text},
         )
-
-
-def _scale(view: MapView, cover: Cover) -> Piece:
-    widest = 120 * view.metres_per_pixel
-    length = round_below(widest)
-    width = length / view.metres_per_pixel
-    cover.add_box(Box(4, view.height - 32, width + 20, 30))
-    return Piece(
-        "static-scale",
-        {"y": f"{view.height - 14:g}", "width": f"{width:.1f}", "text": _round_length(length)},
+        for text, box in names
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import NamedTuple
 
 from ..document.model import Document
 from ..document.model_vehicle import Stop, Vehicle
@@ -12,10 +13,10 @@ from ..drawing.lines import Point
 from ..drawing.palette import CROWD as CROWD_COLOUR
 from ..drawing.vehicle_styles import letter_size
 from ..markup.fragments import Piece
-from .map_view import MapView
-from .placement import Box, Cover
+from .map_view import Places
+from .placement import Box
 
-__all__ = ["event_places", "placed_marks"]
+__all__ = ["Marks", "placed_marks"]
 
 MOST_ENDS = 3
 """More ends than this on one spot become one mark that counts them; in a crowd, any two near."""
@@ -33,10 +34,26 @@ _FAN = sorted(
 )
 
 
-def placed_marks(
-    document: Document, view: MapView, cover: Cover, scale: float = 1.0
-) -> Iterator[Piece]:
-    """Yield all marks, and take their room.
+class Marks(NamedTuple):
+    """The marks of a drawing.
+
+    Attributes
+    ----------
+    pieces : list of Piece
+        As they are drawn, those of events last, so that they lie on top.
+    boxes : list of Box
+        The room they take.
+    events : list of tuple of float
+        Where the mark of each event stands, in pixels.
+    """
+
+    pieces: list[Piece]
+    boxes: list[Box]
+    events: list[Point]
+
+
+def placed_marks(document: Document, places: Places, scale: float = 1.0) -> Marks:
+    """Place all marks.
 
     Merges and separations are placed first, so that they stand where they are.
 
@@ -44,24 +61,26 @@ def placed_marks(
     ----------
     document : Document
         Whose marks they are.
-    view : MapView
-        Where on the drawing things lie.
-    cover : Cover
-        What is taken already.
+    places : Places
+        Where on the drawing they belong.
     scale : float
         How much larger than common they are.
 
-    Yields
-    ------
-    Piece
-        Each mark, those of events last, so that they lie on top.
+    Returns
+    -------
+    Marks
+        None touching another, as far as there is room.
     """
-    taken = event_places(document, view, scale)
+    taken: list[Point] = []
+    for x, y in places.events:
+        _beside(x, y, taken, scale)
+    stand = list(taken)
+    pieces: list[Piece] = []
+    boxes: list[Box] = []
     events: list[Piece] = []
-    for event, (left, top) in zip(document.events, list(taken), strict=True):
-        x, y = view.at(event.lon, event.lat)
-        cover.add_box(_box(left, top, 12 * scale))
-        yield from _tie(x, y, left, top, scale)
+    for event, (x, y), (left, top) in zip(document.events, places.events, stand, strict=True):
+        boxes.append(_box(left, top, 12 * scale))
+        pieces.extend(_tie(x, y, left, top, scale))
         events.append(
             Piece(
                 "static-event",
@@ -78,7 +97,7 @@ def placed_marks(
         ("origin", "static-start", "from"),
         ("destination", "static-end", "to"),
     ):
-        for (x, y), vehicles in _spots(document, end, view, scale):
+        for (x, y), vehicles in _spots(document, end, places, scale):
             names = ", ".join(dict.fromkeys(_end(vehicle, end).name for vehicle in vehicles))
             letters = ", ".join(vehicle.letter for vehicle in vehicles)
             most = 1 if len(document.vehicles) > CROWD else MOST_ENDS
@@ -88,44 +107,23 @@ def placed_marks(
             for place, (colour, letter) in enumerate(faces):
                 beside = x + 21 * scale * (place - (len(faces) - 1) / 2)
                 left, top = _beside(beside, y, taken, scale)
-                cover.add_box(_box(left, top, 10 * scale))
-                yield from _tie(x, y, left, top, scale)
-                yield Piece(
-                    fragment,
-                    {
-                        "x": f"{left:.1f}",
-                        "y": f"{top:.1f}",
-                        "scale": f"{scale:g}",
-                        "colour": colour,
-                        "letter": letter,
-                        "size": letter_size(letter),
-                        "title": f"{letters} {word} {names}",
-                    },
+                boxes.append(_box(left, top, 10 * scale))
+                pieces.extend(_tie(x, y, left, top, scale))
+                pieces.append(
+                    Piece(
+                        fragment,
+                        {
+                            "x": f"{left:.1f}",
+                            "y": f"{top:.1f}",
+                            "scale": f"{scale:g}",
+                            "colour": colour,
+                            "letter": letter,
+                            "size": letter_size(letter),
+                            "title": f"{letters} {word} {names}",
+                        },
+                    )
                 )
-    yield from events
-
-
-def event_places(document: Document, view: MapView, scale: float = 1.0) -> list[Point]:
-    """Return where the mark of each event stands.
-
-    Parameters
-    ----------
-    document : Document
-        Whose events they are.
-    view : MapView
-        Where on the drawing things lie.
-    scale : float
-        How much larger than common the marks are.
-
-    Returns
-    -------
-    list of tuple of float
-        In pixels.
-    """
-    taken: list[Point] = []
-    for event in document.events:
-        _beside(*view.at(event.lon, event.lat), taken, scale)
-    return taken
+    return Marks([*pieces, *events], boxes, stand)
 
 
 def _end(vehicle: Vehicle, end: str) -> Stop:
@@ -145,14 +143,13 @@ def _tie(x: float, y: float, left: float, top: float, scale: float) -> Iterator[
 
 
 def _spots(
-    document: Document, end: str, view: MapView, scale: float
+    document: Document, end: str, places: Places, scale: float
 ) -> list[tuple[Point, list[Vehicle]]]:
     """Return who starts or ends on one spot; in a crowd, near one another."""
     reach = NEAR * scale if len(document.vehicles) > CROWD else 0.01
     found: list[tuple[Point, list[Vehicle]]] = []
-    for vehicle in document.vehicles:
-        stop = _end(vehicle, end)
-        at = view.at(stop.lon, stop.lat)
+    spots = places.origins if end == "origin" else places.destinations
+    for vehicle, at in zip(document.vehicles, spots, strict=True):
         near = next((who for spot, who in found if math.dist(spot, at) < reach), None)
         if near is None:
             found.append((at, [vehicle]))

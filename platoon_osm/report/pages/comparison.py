@@ -150,8 +150,7 @@ def _row(plan: Document) -> Piece:
             "road": kilometres(totals.platoon_road_m),
             "extra": true_minus(extra),
             "fuel": true_minus(litres(totals.fuel_saved_l)),
-            "sign": gain_or_loss(totals.solo_cost - totals.joint_cost),
-            **costs_of(totals.text),
+            **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
         },
     )
 

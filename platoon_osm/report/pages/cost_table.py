@@ -8,7 +8,6 @@ from ..document.model import Document
 from ..document.model_vehicle import CostTexts
 from ..drawing.crowd import CROWD
 from ..markup.fragments import Piece, Tree
-from ..markup.quantities import gain_or_loss
 from .page_pieces import badge, costs_of
 
 __all__ = ["cost_table", "overview"]
@@ -54,8 +53,7 @@ def cost_table(
                     "origin": vehicle.origin.name,
                     "destination": vehicle.destination.name,
                     "facts": facts,
-                    "sign": gain_or_loss(vehicle.saved),
-                    **costs_of(vehicle.text),
+                    **costs_of(vehicle.text, vehicle.saved),
                 },
             )
         )
@@ -66,8 +64,7 @@ def cost_table(
             "total": total,
             "label": label,
             "density": " compact" if len(rows) > CROWD else "",
-            "sign": gain_or_loss(sum(vehicle.saved for vehicle in vehicles)),
-            **costs_of(text),
+            **costs_of(text, sum(vehicle.saved for vehicle in vehicles)),
         },
     )
 
@@ -91,8 +88,7 @@ def overview(document: Document) -> Tree:
             {
                 "name": group.name,
                 "facts": group.facts,
-                "sign": gain_or_loss(group.saved),
-                **costs_of(group.text),
+                **costs_of(group.text, group.saved),
             },
         )
         for group in document.groups

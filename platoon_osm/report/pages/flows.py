@@ -12,8 +12,9 @@ from ..document.checks import check_path
 from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
 from ..drawing.palette import FLOWS, GAIN, LOSS
+from ..maps.map_texts import placed_names
 from ..maps.map_view import MapView
-from ..maps.pixels import path_data, shifted
+from ..maps.pixels import network_path, path_data, shifted, simplified
 from ..maps.placement import Box, Cover
 from ..maps.static_map import NARROW, static_texts, town_names
 from ..markup.fragments import NOTHING, Piece, Tree
@@ -115,7 +116,7 @@ def _map(found: FlowDocument) -> Piece:
     casings: list[Piece] = []
     roads: list[Piece] = []
     for flow in found.flows:
-        lines = [view.pixels(line) for line in flow.lines]
+        lines = [simplified(view.pixels(line)) for line in flow.lines]
         width = _width(flow.vehicles, found.most)
         for points in lines:
             cover.add_line(points, weight=2)
@@ -137,7 +138,7 @@ def _map(found: FlowDocument) -> Piece:
             {
                 "number": number,
                 "path": "".join(
-                    path_data(view.pixels(part.line))
+                    path_data(simplified(view.pixels(part.line)))
                     for piece in document.platoons
                     if piece.vehicles[0] in group.vehicles
                     for part in piece.parts
@@ -147,11 +148,13 @@ def _map(found: FlowDocument) -> Piece:
         for number, group in enumerate(document.groups)
         if group.is_platoon
     ]
-    network = view.network_path(document.basemap.known)
+    known = [view.pixels(line) for line in document.basemap.known]
+    network = network_path(known, view.width, view.height)
     narrow = cover.copy()
     cover.add_box(Box(0, 0, 190, 150))
-    names = tuple(town_names(document, view, cover))
-    large = tuple(town_names(document, view, narrow, NARROW))
+    towns = view.places(document).towns
+    names = town_names(placed_names(document, towns, cover))
+    large = town_names(placed_names(document, towns, narrow, NARROW), NARROW)
     return Piece(
         "flows-map",
         {

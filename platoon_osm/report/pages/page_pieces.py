@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
 from ..document.model import Document, Figure
 from ..document.model_vehicle import CostTexts, Vehicle
 from ..markup.fragments import NOTHING, Piece, Tree
+from ..markup.quantities import gain_or_loss
 
 __all__ = [
     "about",
@@ -77,20 +78,28 @@ def figures(found: Iterable[Figure]) -> Tree:
     return tuple(Piece("figure", {**asdict(figure)}) for figure in found)
 
 
-def costs_of(text: CostTexts) -> dict[str, str]:
+def costs_of(text: CostTexts, saved: float) -> dict[str, str]:
     """Return printed costs as what fragments call them.
 
     Parameters
     ----------
     text : CostTexts
         Of a vehicle, a group or all.
+    saved : float
+        What they save, which gives it its colour.
 
     Returns
     -------
     dict of str to str
-        `alone`, `joint`, `saved` and `share`.
+        `sign`, `alone`, `joint`, `saved` and `share`.
     """
-    return {"alone": text.alone, "joint": text.joint, "saved": text.saved, "share": text.share}
+    return {
+        "sign": gain_or_loss(saved),
+        "alone": text.alone,
+        "joint": text.joint,
+        "saved": text.saved,
+        "share": text.share,
+    }
 
 
 def items(texts: Iterable[str]) -> Tree:
@@ -142,15 +151,17 @@ def unit_note(document: Document) -> Tree:
     return Piece("unit-note", {"note": note}) if note else NOTHING
 
 
-def about(document: Document, rows: Tree, remarks: Tree = NOTHING) -> Piece:
+def about(document: Document, rows: Tree, remarks: Sequence[str] = ()) -> Piece:
     """Return where a plan comes from.
 
     Parameters
     ----------
     document : Document
         What is shown.
-    rows, remarks : Tree
-        What stands between proof and credits.
+    rows : Tree
+        What stands after the proof.
+    remarks : sequence of str
+        What stands before the credits.
 
     Returns
     -------
@@ -163,7 +174,7 @@ def about(document: Document, rows: Tree, remarks: Tree = NOTHING) -> Piece:
         {
             "proof": Piece("proof", {"text": provenance.proof}) if provenance.proof else NOTHING,
             "rows": rows,
-            "remarks": remarks,
+            "remarks": Piece("remarks", {"items": items(remarks)}) if remarks else NOTHING,
             "credit_items": items(provenance.credits),
         },
     )

@@ -9,15 +9,14 @@ from ..charts.charts import along_chart, fatigue_chart
 from ..charts.schedule_chart import late_note, schedule_chart
 from ..charts.waiting_bars import waiting_bars
 from ..document.model import Document, Group
-from ..document.model_vehicle import Vehicle
+from ..document.model_vehicle import CostTexts, Vehicle
 from ..drawing.crowd import CROWD
 from ..maps.static_map import static_map
 from ..markup.fragments import NOTHING, Piece, Tree
-from ..markup.quantities import gain_or_loss
 from .cost_bars import cost_bars
 from .cost_table import cost_table, overview
 from .legend import legend
-from .page_pieces import about, badge, costs_of, credit_lines, heading, items, opening, unit_note
+from .page_pieces import about, badge, costs_of, credit_lines, heading, opening, unit_note
 
 __all__ = ["page_body"]
 
@@ -57,7 +56,7 @@ def page_body(document: Document, live_map: Tree) -> Piece:
             "about": about(
                 document,
                 tuple(_about_row(label, text) for label, text in provenance.rows),
-                _list("remarks", provenance.remarks),
+                provenance.remarks,
             ),
         },
     )
@@ -76,18 +75,8 @@ def _vehicles(document: Document) -> Piece:
     groups, every = document.groups, range(len(document.vehicles))
     unit, note, totals = document.cost_unit.label, unit_note(document), document.totals
     if len(every) <= CROWD and sum(group.is_platoon for group in groups) <= 1:
-        return Piece(
-            "one-group",
-            {
-                "unit": unit,
-                "unit_note": note,
-                "table": cost_table(document, every, "All vehicles", totals.text, "Costs"),
-                "day": schedule_chart(document, every),
-                "bars": (cost_bars(document, every), waiting_bars(document, every)),
-                "along": _way(document, every),
-                "events": _events(document, every),
-            },
-        )
+        parts = _parts(document, every, ("All vehicles", totals.text, "Costs"))
+        return Piece("one-group", {"unit": unit, "unit_note": note, **parts})
     return Piece(
         "groups",
         {
@@ -95,8 +84,7 @@ def _vehicles(document: Document) -> Piece:
             "unit_note": note,
             "overview": overview(document),
             "groups": tuple(_group(document, number, group) for number, group in enumerate(groups)),
-            "sign": gain_or_loss(totals.solo_cost - totals.joint_cost),
-            **costs_of(totals.text),
+            **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
         },
     )
 
@@ -106,30 +94,41 @@ def _group(document: Document, number: int, group: Group) -> Piece:
     together = group.is_platoon
     # A few groups are open from the start; of many, the first shows what the others hold.
     is_open = number == 0 or (len(document.vehicles) <= OPEN_UP_TO and together)
+    table = "Together", group.text, f"Costs, {group.name}"
     return Piece(
         "group",
         {
             "open": Piece("group-open") if is_open else NOTHING,
             "name": group.name,
             "facts": group.facts,
-            "table": cost_table(document, members, "Together", group.text, f"Costs, {group.name}"),
-            "bars": (cost_bars(document, members, key), waiting_bars(document, members, key))
-            if together
-            else NOTHING,
-            "day": schedule_chart(document, members, key),
-            "along": _way(document, members, key) if together else NOTHING,
-            "events": _events(document, members, key),
+            **_parts(document, members, table, key, together),
         },
     )
+
+
+def _parts(
+    document: Document,
+    members: Sequence[int],
+    table: tuple[str, CostTexts, str],
+    key: str = "",
+    together: bool = True,
+) -> dict[str, Tree]:
+    """Return what is told of vehicles that belong together; bars and way not of those alone."""
+    bars: Tree = NOTHING
+    if together:
+        bars = (cost_bars(document, members, key), waiting_bars(document, members, key))
+    return {
+        "table": cost_table(document, members, *table),
+        "day": schedule_chart(document, members, key),
+        "bars": bars,
+        "along": _way(document, members, key) if together else NOTHING,
+        "events": _events(document, members, key),
+    }
 
 
 def _way(document: Document, members: Sequence[int], key: str = "") -> Tree:
     """Return the way by distance; where there are times the schedule takes its place."""
     return NOTHING if document.schedule is not None else along_chart(document, members, key)
-
-
-def _list(fragment: str, texts: Sequence[str]) -> Tree:
-    return Piece(fragment, {"items": items(texts)}) if texts else NOTHING
 
 
 def _about_row(label: str, text: str) -> Piece:
