@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .network.location import Location
     from .network.road_network import RoadNetwork
     from .planning.cases import plan_members
-    from .planning.joint import plan_joint
+    from .planning.joint import plan_joint, solve
     from .planning.problem import Problem
     from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
@@ -59,6 +59,7 @@ _WHERE = {
     "many_to_many": "search.engine",
     "plan_members": "planning.cases",
     "plan_joint": "planning.joint",
+    "solve": "planning.joint",
     "JointPlan": "plans.plan",
     "Plan": "plans.plan",
     "Problem": "planning.problem",
@@ -117,6 +118,7 @@ __all__ = [
     "plan_joint",
     "plan_members",
     "run_study",
+    "solve",
     "to_geodataframe",
     "write_comparison",
     "write_csv",

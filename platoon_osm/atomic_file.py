@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from .errors import PlatoonError, ScenarioError
+from .errors import PlatoonError, ScenarioError, brief
 
 __all__ = ["whole_file"]
 
@@ -44,7 +44,10 @@ def whole_file(
     PlatoonError
         Of the class `refusal`: the folder is missing, or the file cannot be written.
     """
-    target = Path(path)
+    try:
+        target = Path(path)
+    except TypeError:
+        raise refusal(f"{brief(path)}: is no path; name a file to write") from None
     try:
         folder = tempfile.TemporaryDirectory(dir=target.parent, prefix=".draft-")
     except OSError as error:

@@ -13,12 +13,12 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 
 __all__ = [
     "FITTED_RANGE_S", "PERIODS", "FatigueForm", "FatigueModel", "Period", "driving_clock",
@@ -73,7 +73,7 @@ def fatigue_curve(driving_s: ArrayLike, period: Period) -> Floats:
     .. [1] Adas et al., "Joint travel route optimization", IFAC 2025, after Zhang et al. 2019.
     """
     if period not in PERIODS:
-        raise ScenarioError(f"period {period!r} is unknown; use {', '.join(PERIODS)}")
+        raise ScenarioError(f"period {brief(period)} is unknown; use {', '.join(PERIODS)}")
     t = np.asarray(driving_s, np.float64)
     value = np.zeros_like(t)
     for alpha, beta, epsilon in PERIODS[period]:
@@ -107,9 +107,9 @@ class FatigueModel:
     task_relief: float = 1.0
 
     def __post_init__(self) -> None:
-        if self.form not in ("as_printed", "by_period", "monotone"):
+        if not isinstance(self.form, str) or self.form not in get_args(FatigueForm):
             raise ScenarioError(
-                f"fatigue form {self.form!r} is unknown; use as_printed, by_period or monotone"
+                f"fatigue form {brief(self.form)} is unknown; use as_printed, by_period or monotone"
             )
         _check_relief(self.task_relief)
 
@@ -138,7 +138,7 @@ class FatigueModel:
         UserWarning
             If the clock leaves the range the curves were fitted for.
         """
-        clock = np.asarray(clock_s, np.float64)
+        clock = _moments("the driving clock", clock_s)
         if not np.isfinite(clock).all():
             raise ScenarioError("fatigue: the driving clock has a moment that is not finite")
         if clock.size and (clock.min() < FITTED_RANGE_S[0] or clock.max() > FITTED_RANGE_S[1]):
@@ -150,7 +150,12 @@ class FatigueModel:
         if self.form == "by_period":
             if hour_of_day is None:
                 raise ScenarioError("fatigue by_period needs the hour of day of each moment")
-            period = period_of_day(hour_of_day)
+            period = period_of_day(_moments("the hours of day", hour_of_day))
+            if period.shape != clock.shape:
+                raise ScenarioError(
+                    f"fatigue: {period.size} hours of day and {clock.size} moments; give one for "
+                    "each"
+                )
             curves = [fatigue_curve(clock, name) for name in ("morning", "afternoon", "night")]
             return np.choose(period, curves)
         printed = _printed(clock)
@@ -164,10 +169,20 @@ class FatigueModel:
         return running
 
 
+def _moments(label: str, values: ArrayLike) -> Floats:
+    try:
+        moments = np.asarray(values, np.float64)
+    except (TypeError, ValueError):
+        moments = np.zeros((0, 0))
+    if moments.ndim != 1:
+        raise ScenarioError(f"fatigue: {label} {brief(values)} must be a list of numbers")
+    return moments
+
+
 def _check_relief(task_relief: float) -> None:
     is_number = isinstance(task_relief, int | float) and not isinstance(task_relief, bool)
     if not (is_number and 0 <= task_relief <= 1):
-        raise ScenarioError(f"task_relief = {task_relief!r} must be a number in [0, 1]")
+        raise ScenarioError(f"task_relief = {brief(task_relief)} must be a number in [0, 1]")
 
 
 def period_of_day(hour: ArrayLike) -> NDArray[np.int64]:
@@ -215,13 +230,15 @@ def driving_clock(
     """
     _check_relief(task_relief)
     if not step_s > 0:
-        raise ScenarioError(f"step_s = {step_s!r} must be above 0")
+        raise ScenarioError(f"step_s = {brief(step_s)} must be above 0")
     times, clocks = [0.0], [0.0]
     for role, seconds in legs:
         if role not in ("solo", "platoon"):
-            raise ScenarioError(f'leg role {role!r} is unknown; use "solo" or "platoon"')
+            raise ScenarioError(f'leg role {brief(role)} is unknown; use "solo" or "platoon"')
         if not 0 <= seconds < np.inf:
-            raise ScenarioError(f"leg of {seconds!r} s: a driving time is finite and 0 or more")
+            raise ScenarioError(
+                f"leg of {brief(seconds)} s: a driving time is finite and 0 or more"
+            )
         rate = 1 - task_relief if role == "platoon" else 1.0
         count = max(1, int(np.ceil(seconds / step_s)))
         for _ in range(count):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..registry import Registry
 
 __all__ = ["FUEL_SAVINGS", "FuelSaving", "fuel_saving"]
@@ -45,8 +45,8 @@ class FuelSaving:
             is_number = isinstance(share, int | float) and not isinstance(share, bool)
             if not (is_number and 0 <= share < 1):
                 raise ScenarioError(
-                    f"fuel saving {self.name!r}: {position} saves {share!r}; a share is a number "
-                    "in [0, 1)"
+                    f"fuel saving {brief(self.name)}: {position} saves {brief(share)}; a "
+                    "share is a number in [0, 1)"
                 )
 
     def by_position(self, size: int) -> tuple[float, ...]:

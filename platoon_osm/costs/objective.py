@@ -12,10 +12,11 @@ from typing import Any, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
 from .weights import EdgeWeights
 
-__all__ = ["CostTerm", "Objective", "Role"]
+__all__ = ["CostTerm", "Objective", "Role", "edge_weights"]
 
 Floats = NDArray[np.float64]
 
@@ -105,3 +106,40 @@ class Objective(Protocol):
             Its cost, 0 if waiting is free.
         """
         ...
+
+
+def edge_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: str) -> EdgeWeights:
+    """Return the weights that an objective gives a network, once it is sure that they are that.
+
+    Parameters
+    ----------
+    objective : Objective or EdgeWeights
+        Whose weights.
+    net : RoadNetwork
+        The network they are to be used on.
+    where : str
+        Who asks, for the message.
+
+    Returns
+    -------
+    EdgeWeights
+        Those of this network.
+
+    Raises
+    ------
+    ScenarioError
+        No objective, one whose weights are none, or weights of another network.
+    """
+    if isinstance(objective, type) or not callable(getattr(objective, "weights", None)):
+        kind = "class" if isinstance(objective, type) else type(objective).__name__
+        raise ScenarioError(
+            f"{where}: weights is a {kind}; give edge weights, such as paper_weights(net), or an "
+            "objective"
+        )
+    weights = objective.weights(net)
+    if not isinstance(weights, EdgeWeights):
+        raise ScenarioError(
+            f"{where}: the weights of {brief(objective)} are a {type(weights).__name__}; its "
+            "method `weights` must return EdgeWeights"
+        )
+    return weights.weights(net)

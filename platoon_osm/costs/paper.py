@@ -10,12 +10,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
 from .fuel import fuel_saving
 from .objective import Role
@@ -110,15 +110,17 @@ class PaperCosts:
             value = getattr(self, name)
             is_number = isinstance(value, int | float) and not isinstance(value, bool)
             if not (is_number and low <= value <= high and math.isfinite(value)):
-                raise ScenarioError(f"{name} = {value!r} must be a number in [{low:g}, {high:g}]")
-        if self.mixing not in ("printed", "gain"):
-            raise ScenarioError(f'mixing = {self.mixing!r} must be "printed" or "gain"')
+                raise ScenarioError(
+                    f"{name} = {brief(value)} must be a number in [{low:g}, {high:g}]"
+                )
+        if not isinstance(self.mixing, str) or self.mixing not in get_args(Mixing):
+            raise ScenarioError(f'mixing = {brief(self.mixing)} must be "printed" or "gain"')
         if self.positions is not None:
             fuel_saving(self.positions)
             if self.mixing == "gain":
                 raise ScenarioError(
-                    f'positions = {self.positions!r} needs mixing = "printed": read as gains, xi '
-                    "is the saving itself"
+                    f'positions = {brief(self.positions)} needs mixing = "printed": read as '
+                    "gains, xi is the saving itself"
                 )
 
     @property

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..registry import Registry
 from .objective import Objective
 from .paper import PaperCosts
@@ -61,7 +61,7 @@ class CostPreset:
                 hint = f"did you mean {near[0]!r}?" if near else (
                     f"those of {self.name!r} are {', '.join(self.parameters)}"
                 )  # fmt: skip
-                raise ScenarioError(f"cost parameter {name!r} is unknown; {hint}")
+                raise ScenarioError(f"cost parameter {brief(name)} is unknown; {hint}")
         return self.make(**params)
 
 

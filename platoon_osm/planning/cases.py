@@ -17,6 +17,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..costs.objective import edge_weights
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
@@ -137,12 +138,7 @@ def plan_members(
         No network, or no such engine.
     """
     net = checked_network(net)
-    if not hasattr(weights, "weights"):
-        raise ScenarioError(
-            f"members: weights is a {type(weights).__name__}; give edge weights, such as "
-            "paper_weights(net)"
-        )
-    weights = weights.weights(net)
+    weights = edge_weights(weights, net, "members")
     if not isinstance(case, str) or case not in ("A", "B", "C"):
         raise ScenarioError(
             f'case {brief(case)}: one master and members are planned by "A", "B" or "C"'

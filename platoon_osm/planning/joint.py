@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from ..costs.objective import Objective
+from ..costs.objective import Objective, edge_weights
 from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.proof import Proof
@@ -123,10 +123,14 @@ def solve(problem: Problem) -> Plan:
     Raises
     ------
     PlatoonError
-        As `plan_joint`.
+        As `plan_joint`, or no problem.
     """
+    if not isinstance(problem, Problem):
+        raise ScenarioError(
+            f"plan: {brief(problem)} is no Problem; make one from a network, trips and an objective"
+        )
     net = problem.net
-    weights = problem.objective.weights(net).weights(net)
+    weights = edge_weights(problem.objective, net, "plan")
     places = located(net, problem.trips)
     # A search for each candidate of the fewer, then one from each end of each trip.
     expected = sum(min(len(end.candidates) for end in ends) + 2 for ends in places)

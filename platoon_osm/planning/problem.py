@@ -69,7 +69,8 @@ class Problem:
                 f"plan: net is a {_kind(self.net)}; give the network first, from load_network, "
                 "then weights and trips"
             )
-        if isinstance(self.objective, type) or not hasattr(self.objective, "weights"):
+        asked = [getattr(self.objective, name, None) for name in ("weights", "waiting")]
+        if isinstance(self.objective, type) or not all(map(callable, asked)):
             raise ScenarioError(
                 f"plan: weights is a {_kind(self.objective)}; give edge weights, such as "
                 "paper_weights(net), or an objective"
@@ -87,13 +88,13 @@ class Problem:
                 f"plan: rules is a {_kind(self.rules)}; give driving rules, such as NO_RULES"
             )
         names = [trip.vehicle for trip in self.trips]
-        if self.master is not None and self.master not in names:
+        if self.master is not None and not (isinstance(self.master, str) and self.master in names):
             raise ScenarioError(
                 f"master {brief(self.master)} has no trip; vehicles are {', '.join(names)}"
             )
         for name in names:
             if (times := names.count(name)) > 1:
-                raise ScenarioError(f"vehicle {name!r} has {times} trips; names must differ")
+                raise ScenarioError(f"vehicle {brief(name)} has {times} trips; names must differ")
         if self.case == "D" and len(self.trips) != 2:
             raise ScenarioError(
                 f"case 'D' plans two vehicles, not {len(self.trips)}; use C for one master and "

@@ -16,7 +16,7 @@ from typing import Any
 from ..costs.objective import Objective
 from ..costs.presets import DEFAULT_PRESET, PRESETS
 from ..costs.weights import EdgeWeights
-from ..errors import PlatoonError, ScenarioError
+from ..errors import PlatoonError, ScenarioError, brief
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.trip import TIMES, Trip, check_one_clock
@@ -214,12 +214,12 @@ def _known(file: Path, where: str, table: Mapping[str, Any], allowed: Sequence[s
         if key not in allowed:
             near = difflib.get_close_matches(key, allowed, 1, 0.5)
             hint = f"did you mean {near[0]!r}?" if near else f"known are {', '.join(allowed)}"
-            raise ScenarioError(f"{file}: {where} has no key {key!r}; {hint}")
+            raise ScenarioError(f"{file}: {where} has no key {brief(key)}; {hint}")
 
 
 def _text(file: Path, key: str, value: Any) -> str:
     if not isinstance(value, str) or not value.strip():
-        raise ScenarioError(f"{file}: {key} = {value!r} must be a text in quotes")
+        raise ScenarioError(f"{file}: {key} = {brief(value)} must be a text in quotes")
     return value
 
 
@@ -285,7 +285,7 @@ def _place(file: Path, where: str, key: str, value: Any) -> str | tuple[float, f
     if numbers and len(value) == 2:
         return float(value[0]), float(value[1])
     raise ScenarioError(
-        f"{file}: {where}: {key} = {value!r} must be a name or a [lon, lat] pair in degrees"
+        f"{file}: {where}: {key} = {brief(value)} must be a name or a [lon, lat] pair in degrees"
     )
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from graphlib import CycleError, TopologicalSorter
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from .records import Event, PlannedTrip, Platoon, Stretch
 from .timetable import Timetable
 
@@ -53,7 +53,7 @@ def check_parts(
     for number, event in enumerate(events):
         where = f"event {number}"
         _positions((*event.movers, *event.others), count, where)
-        _need(event.kind in ("merge", "separation"), f"{where} is a {event.kind!r}")
+        _need(event.kind in ("merge", "separation"), f"{where} is a {brief(event.kind)}")
         _need(len(event.movers) > 0, f"{where} moves nobody")
         _need(0 <= event.stretch < len(stretches), f"{where} is at no stretch")
     own = [(trip.vehicle, len(way)) for trip, way in zip(trips, ways, strict=True)]

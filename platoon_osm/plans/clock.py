@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 
 __all__ = ["MENTIONED_S", "Clock", "duration", "late_by", "whole_minutes"]
 
@@ -49,7 +49,7 @@ class Clock:
             return cls(datetime.fromisoformat(start))
         except (TypeError, ValueError):
             raise ScenarioError(
-                f"plan: start {start!r} is no ISO 8601 moment; plan again"
+                f"plan: start {brief(start)} is no ISO 8601 moment; plan again"
             ) from None
 
     @classmethod

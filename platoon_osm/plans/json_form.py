@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 
 from ..costs.share import Share
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from .older_versions import OLDER_VERSIONS, fields_of_older
 from .proof import Proof
 from .records import (
@@ -55,7 +55,8 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
     found = data.get("plan_version") if isinstance(data, Mapping) else None
     if isinstance(found, bool) or found not in (*OLDER_VERSIONS, PLAN_VERSION):
         raise ScenarioError(
-            f"plan: format version {found!r}, this version reads up to {PLAN_VERSION}; plan again"
+            f"plan: format version {brief(found)}, this version reads up to "
+            f"{PLAN_VERSION}; plan again"
         )
     try:
         own = {name: value for name, value in data.items() if name != "plan_version"}

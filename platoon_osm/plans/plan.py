@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..atomic_file import whole_file
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..offers import offered
 from .checker import check_parts
 from .json_form import PLAN_VERSION, plan_from_dict
@@ -236,16 +236,17 @@ class Plan:
         ScenarioError
             A file that cannot be read, is no JSON, or holds no plan.
         """
+        file = brief(path) if not isinstance(path, str | os.PathLike) else path
         try:
             data = json.loads(Path(path).read_text(encoding="utf-8"))
         except OSError as error:
-            raise ScenarioError(f"{path}: cannot be read ({error.strerror})") from error
+            raise ScenarioError(f"{file}: cannot be read ({error.strerror})") from error
         except (TypeError, ValueError, RecursionError):
-            raise ScenarioError(f"{path}: is no JSON file; plan again with --json") from None
+            raise ScenarioError(f"{file}: is no JSON file; plan again with --json") from None
         try:
             return cls.from_dict(data)
         except ScenarioError as error:
-            raise ScenarioError(f"{path}: {error}") from error
+            raise ScenarioError(f"{file}: {error}") from error
 
 
 JointPlan = Plan

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 
 __all__ = ["NOTHING_LEFT", "Proof"]
 
@@ -49,7 +49,7 @@ class Proof(Mapping[str, Any]):
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
             raise ScenarioError(
-                f"plan: proof of kind {self.kind!r} is unknown; kinds are {', '.join(KINDS)}"
+                f"plan: proof of kind {brief(self.kind)} is unknown; kinds are {', '.join(KINDS)}"
             )
 
     @property

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ..atomic_file import whole_file
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from .monte_carlo import StudyResult, run_study
 from .options import StudyOptions
 from .parts import make_folder
@@ -98,7 +98,7 @@ def _km(option: str, text: str) -> float:
     try:
         return float(text) * 1000
     except ValueError:
-        raise ScenarioError(f"{option} {text!r}: give numbers of km, with commas") from None
+        raise ScenarioError(f"{option} {brief(text)}: give numbers of km, with commas") from None
 
 
 def run_command(

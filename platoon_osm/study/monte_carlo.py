@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from .one_run import run_once
 from .parts import load_part, part_path, save_part
 from .settings import Study
@@ -114,9 +114,11 @@ def run_study(
     """
     from .settings import PAPER_STUDY
 
-    study = study or PAPER_STUDY
+    study = PAPER_STUDY if study is None else study
+    if not isinstance(study, Study):
+        raise ScenarioError(f"study: {brief(study)} is no Study; give one, or None for the paper's")
     if isinstance(seed, bool) or not isinstance(seed, int | np.integer) or seed < 0:
-        raise ScenarioError(f"seed = {seed!r} must be a whole number, 0 or more")
+        raise ScenarioError(f"seed = {brief(seed)} must be a whole number, 0 or more")
     seeds = np.random.SeedSequence(int(seed)).spawn(study.runs)
     parts = None if folder is None else Path(folder)
     key = study.key(int(seed))

@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..network.load_report import LoadReport, Source
 from ..network.road_network import RoadNetwork
 from ..network.texts import TextTable
@@ -120,7 +120,18 @@ class RandomNetwork:
             value = getattr(self, name)
             is_number = isinstance(value, int | float) and not isinstance(value, bool)
             if not (is_number and math.isfinite(value) and low <= value <= high):
-                raise ScenarioError(f"{name} = {value!r} must be a number in [{low:g}, {high:g}]")
+                raise ScenarioError(
+                    f"{name} = {brief(value)} must be a number in [{low:g}, {high:g}]"
+                )
+        for name, allowed in (
+            ("pruning", ("shortest", "random")), ("directed", (False, True)),
+            ("connected", ("whole", "part")), ("spawning", ("points", "nodes")),
+            ("route_length", ("network", "straight")),
+        ):  # fmt: skip
+            value = getattr(self, name)
+            if not isinstance(value, str | bool) or value not in allowed:
+                choice = " or ".join(str(item) for item in allowed)
+                raise ScenarioError(f"{name} = {brief(value)} must be {choice}")
         complete = self.nodes * (self.nodes - 1) // (1 if self.directed else 2) if _whole(
             self.nodes
         ) else 0  # fmt: skip
@@ -130,15 +141,9 @@ class RandomNetwork:
         ):  # fmt: skip
             value = getattr(self, name)
             if not (_whole(value) and low <= value <= high):
-                raise ScenarioError(f"{name} = {value!r} must be a whole number in {low} to {high}")
-        for name, allowed in (
-            ("pruning", ("shortest", "random")), ("directed", (False, True)),
-            ("connected", ("whole", "part")), ("spawning", ("points", "nodes")),
-            ("route_length", ("network", "straight")),
-        ):  # fmt: skip
-            if getattr(self, name) not in allowed:
-                choice = " or ".join(str(item) for item in allowed)
-                raise ScenarioError(f"{name} = {getattr(self, name)!r} must be {choice}")
+                raise ScenarioError(
+                    f"{name} = {brief(value)} must be a whole number in {low} to {high}"
+                )
 
     def draw(self, rng: np.random.Generator) -> Draw:
         """Draw a network and its trips, again and again until both are possible.

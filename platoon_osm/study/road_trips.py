@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import MapDataError, ScenarioError
+from ..errors import MapDataError, ScenarioError, brief
 from ..network.geodesy import distance_m, east_north_m
 from ..network.road_network import RoadNetwork
 from .random_network import Draw
@@ -77,14 +77,24 @@ class RoadTrips:
     max_redraws: int = 1000
 
     def __post_init__(self) -> None:
+        if not isinstance(self.net, RoadNetwork):
+            raise ScenarioError(
+                f"road trips: net is {brief(self.net)}; give a network, from load_network"
+            )
+        if self.flows is not None and not isinstance(self.flows, Flows):
+            raise ScenarioError(f"flows = {brief(self.flows)} must be Flows, or None")
         for name, low in (("vehicles", 2), ("max_redraws", 0)):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, int) or value < low:
-                raise ScenarioError(f"{name} = {value!r} must be a whole number, {low} or more")
+                raise ScenarioError(
+                    f"{name} = {brief(value)} must be a whole number, {low} or more"
+                )
         for name in ("spawn_diameter_m", "min_route_m"):
             value = getattr(self, name)
             if not (isinstance(value, int | float) and math.isfinite(value) and value >= 0):
-                raise ScenarioError(f"{name} = {value!r} must be a number of metres, 0 or more")
+                raise ScenarioError(
+                    f"{name} = {brief(value)} must be a number of metres, 0 or more"
+                )
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain JSON form, with the identity of the network in place of its arrays.

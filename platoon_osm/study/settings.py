@@ -6,6 +6,7 @@ import hashlib
 import json
 import math
 from dataclasses import asdict, dataclass, field, replace
+from types import UnionType
 from typing import Any, Literal
 
 import numpy as np
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 
 from .._version import __version__
 from ..costs.paper import Mixing, PaperCosts
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..planning.cases import Case
 from ..planning.routers import Method
 from .random_network import RandomNetwork
@@ -62,31 +63,41 @@ class Study:
 
     def __post_init__(self) -> None:
         if isinstance(self.runs, bool) or not isinstance(self.runs, int) or self.runs < 1:
-            raise ScenarioError(f"runs = {self.runs!r} must be a whole number, 1 or more")
-        if self.case not in ("A", "B", "C"):
-            raise ScenarioError(f'case = {self.case!r} must be "A", "B" or "C" in a study')
+            raise ScenarioError(f"runs = {brief(self.runs)} must be a whole number, 1 or more")
+        if not isinstance(self.network, RandomNetwork | RoadTrips):
+            raise ScenarioError(
+                f"network = {brief(self.network)} must be a RandomNetwork or RoadTrips in a study"
+            )
+        if not isinstance(self.costs, PaperCosts):
+            raise ScenarioError(f"costs = {brief(self.costs)} must be PaperCosts in a study")
+        if not isinstance(self.case, str) or self.case not in ("A", "B", "C"):
+            raise ScenarioError(f'case = {brief(self.case)} must be "A", "B" or "C" in a study')
         if self.costs.positions is not None:
             raise ScenarioError(
-                f"costs: positions = {self.costs.positions!r}; in a study the lead is rotated, as "
-                "in the paper: leave positions out"
+                f"costs: positions = {brief(self.costs.positions)}; in a study the lead is "
+                "rotated, as in the paper: leave positions out"
             )
         for name, allowed in (
             ("methods", ("dijkstra", "astar")),
             ("mixings", ("printed", "gain")),
         ):
             chosen = getattr(self, name)
-            if not chosen or len(set(chosen)) < len(chosen) or set(chosen) - set(allowed):
+            known = _are(chosen, str) and not set(chosen) - set(allowed)
+            if not known or len(set(chosen)) < len(chosen):
                 raise ScenarioError(
-                    f"{name} = {chosen!r} must be one or both of {', '.join(allowed)}"
+                    f"{name} = {brief(chosen)} must be one or both of {', '.join(allowed)}"
                 )
         for name in ("tau", "xi"):
             values = getattr(self, name)
-            if not values or list(values) != sorted(set(values)):
-                raise ScenarioError(f"{name} = {values!r} must be numbers in rising order")
+            if not _are(values, int | float) or list(values) != sorted(set(values)):
+                raise ScenarioError(f"{name} = {brief(values)} must be numbers in rising order")
+        if not isinstance(self.points, tuple | list):
+            raise ScenarioError(f"points = {brief(self.points)} must be pairs (tau, xi)")
         for pair in (*((t, self.xi[0]) for t in self.tau), *((self.tau[0], x) for x in self.xi),
                      *self.points):  # fmt: skip
-            if not all(math.isfinite(v) and 0 <= v <= 1 for v in pair):
-                raise ScenarioError(f"grid point (tau, xi) = {pair!r} must lie in [0, 1]")
+            numbers = _are(pair, int | float) and len(pair) == 2
+            if not (numbers and all(math.isfinite(v) and 0 <= v <= 1 for v in pair)):
+                raise ScenarioError(f"grid point (tau, xi) = {brief(pair)} must lie in [0, 1]")
 
     @property
     def grid_shape(self) -> tuple[int, int]:
@@ -153,6 +164,15 @@ class Study:
         told = {**self.to_dict(), "seed": seed, "version": __version__}
         del told["runs"]
         return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:20]
+
+
+def _are(values: object, kind: type | UnionType) -> bool:
+    """Whether it is a list or tuple of at least one of a kind."""
+    return (
+        isinstance(values, tuple | list)
+        and len(values) > 0
+        and all(isinstance(value, kind) and not isinstance(value, bool) for value in values)
+    )
 
 
 PAPER_STUDY = Study(methods=("dijkstra", "astar"))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...atomic_file import whole_file
 from ...costs.weights import EdgeWeights
-from ...errors import ScenarioError
+from ...errors import ScenarioError, brief
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ..document.checks import check_path
@@ -99,11 +99,11 @@ def write_figures(
 def _check_formats(formats: object) -> None:
     if isinstance(formats, str) or not isinstance(formats, Iterable):
         raise ScenarioError(
-            f'figures: formats {formats!r} is no list; give one such as ["png", "pdf"]'
+            f'figures: formats {brief(formats)} is no list; give one such as ["png", "pdf"]'
         )
     for wanted in formats:
         if wanted not in FORMATS:
-            raise ScenarioError(f"figures: format {wanted!r} is unknown; use png, svg or pdf")
+            raise ScenarioError(f"figures: format {brief(wanted)} is unknown; use png, svg or pdf")
 
 
 def _figures(document: Document) -> Iterator[tuple[str, Figure]]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...errors import ScenarioError
+from ...errors import ScenarioError, brief
 
 if TYPE_CHECKING:
     from importlib.resources.abc import Traversable
@@ -62,7 +62,7 @@ def load_leaflet(directory: str | os.PathLike[str] | None = None) -> Leaflet:
     if directory is not None:
         if not isinstance(directory, str | os.PathLike):
             raise ScenarioError(
-                f"Leaflet: leaflet_dir {directory!r} is no path; name a folder, or None"
+                f"Leaflet: leaflet_dir {brief(directory)} is no path; name a folder, or None"
             )
         root = Path(directory)
         remedy = f"unpack Leaflet {LEAFLET_VERSION} there"

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from urllib.parse import urlsplit
 
-from ...errors import ScenarioError
+from ...errors import ScenarioError, brief
 
 __all__ = ["Tiles", "online_map"]
 
@@ -53,7 +53,7 @@ def online_map(tiles: str) -> Tiles:
     """
     if not isinstance(tiles, str):
         raise ScenarioError(
-            f'tiles {tiles!r}: is no text; try "OpenStreetMap", or None for no online map'
+            f'tiles {brief(tiles)}: is no text; try "OpenStreetMap", or None for no online map'
         )
     if tiles.startswith("https://") and "{z}" in tiles and "{x}" in tiles and "{y}" in tiles:
         url, credit, zoom = tiles, "", 19
@@ -62,10 +62,12 @@ def online_map(tiles: str) -> Tiles:
     try:
         host, name = urlsplit(url).netloc, urlsplit(url).hostname
     except ValueError as error:
-        raise ScenarioError(f"tiles {tiles!r}: is no address ({error}); give another") from None
+        raise ScenarioError(
+            f"tiles {brief(tiles)}: is no address ({error}); give another"
+        ) from None
     wanted = host.replace("{s}", "*")
     if not re.fullmatch(r"(\*\.)?[A-Za-z0-9.-]+(:\d+)?", wanted):
-        raise ScenarioError(f"tiles {tiles!r}: host {host!r} is not a plain host name")
+        raise ScenarioError(f"tiles {brief(tiles)}: host {host!r} is not a plain host name")
     return Tiles(url, credit or f"Background map: {name}", zoom, f"https://{wanted}")
 
 
@@ -80,12 +82,12 @@ def _by_name(tiles: str) -> tuple[str, str, int]:
         provider = online_maps.query_name("OpenStreetMap.Mapnik" if plain else tiles)
     except ValueError:
         raise ScenarioError(
-            f'tiles {tiles!r}: no online map of that name; try "OpenStreetMap" or an '
+            f'tiles {brief(tiles)}: no online map of that name; try "OpenStreetMap" or an '
             "https address with {z}, {x} and {y}"
         ) from None
     if provider.requires_token():
         raise ScenarioError(
-            f"tiles {tiles!r}: needs a key; give its https address with {{z}}, {{x}}, {{y}}"
+            f"tiles {brief(tiles)}: needs a key; give its https address with {{z}}, {{x}}, {{y}}"
         )
     url = provider.build_url(x="{x}", y="{y}", z="{z}", scale_factor="")
     credit = re.sub(r"^\(C\)", "\u00a9", provider["attribution"])

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...atomic_file import whole_file
 from ...costs.weights import EdgeWeights
-from ...errors import ScenarioError
+from ...errors import ScenarioError, brief
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ..document.checks import check_path
@@ -147,7 +147,9 @@ def explore(plan: Plan, net: RoadNetwork, *, height: int = 640, **options: Any) 
         As in `write_html`, or a height that is none.
     """
     if isinstance(height, bool) or not isinstance(height, int | float) or not 0 < height < 1e5:
-        raise ScenarioError(f"explore: height {height!r} must be a number of pixels, such as 640")
+        raise ScenarioError(
+            f"explore: height {brief(height)} must be a number of pixels, such as 640"
+        )
     made = plan_map(plan, net, **options)
     figure: Any = made.get_root()
     figure.width, figure.height, figure.ratio = "100%", f"{height}px", None
