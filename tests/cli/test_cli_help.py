@@ -8,6 +8,7 @@ from command_line import run
 import platoon_osm
 from platoon_osm.cli.verbs import VERBS
 from platoon_osm.costs.fuel import FUEL_SAVINGS
+from platoon_osm.costs.presets import PRESETS
 from platoon_osm.report.exporters import EXPORTERS, Exporter
 from platoon_osm.sources.readers import READERS
 
@@ -61,6 +62,13 @@ def test_an_exporter_of_any_name_leaves_help_as_it_is(name, capsys):
         EXPORTERS.remove(name)
     assert err == ""
     assert ("Stones to write." in out) is (name not in ("case", "help"))
+
+
+def test_objectives_are_listed(capsys):
+    run("plan", "--help")
+    out = capsys.readouterr().out
+    for preset in PRESETS.values():
+        assert re.search(rf"{preset.name} +{preset.about[:40]}", out)
 
 
 def test_fuel_tables_are_listed(capsys):

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from ...costs.fuel import FUEL_SAVINGS
+from ...costs.presets import PRESETS
 from ...report.exporters import EXPORTERS, Exporter
 from ..options import FILE, FOLDER, SectionOption, Sections, new_file
 from ..progress import steps
@@ -16,7 +17,7 @@ __all__ = ["verb"]
 
 
 class _WithExporters(Sections):
-    """A verb with an option for each exporter; its help lists the fuel tables too."""
+    """A verb with an option for each exporter; its help lists fuel tables and objectives too."""
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         own = super().get_params(ctx)
@@ -27,6 +28,8 @@ class _WithExporters(Sections):
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section('Fuel tables, for positions = "..." under [costs]'):
             formatter.write_dl([(table.name, table.source) for table in FUEL_SAVINGS.values()])
+        with formatter.section('Objectives, for preset = "..." under [costs]'):
+            formatter.write_dl([(preset.name, preset.about) for preset in PRESETS.values()])
         super().format_epilog(ctx, formatter)
 
 
