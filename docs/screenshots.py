@@ -10,12 +10,13 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 from importlib.resources import as_file, files
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from pathlib import Path
 from typing import Any
 
 import platoon_osm
 from platoon_osm.planning.scenario import Scenario, read_scenario
+from platoon_osm.plans.proof import Proof
 
 CHROMIUM = Path("/usr/bin/chromium")
 MINUTE = 220
@@ -61,12 +62,12 @@ def _variant(scenario: Scenario, xi: float, case: str) -> Scenario:
     )
 
 
-def _fleet(net: platoon_osm.RoadNetwork) -> platoon_osm.JointPlan:
+def _fleet(net: platoon_osm.RoadNetwork) -> platoon_osm.Plan:
     """Return platoons of their own, one after another, as one plan."""
     weights = platoon_osm.paper_weights(net)
     ways = [(a, b) for a, b in pairwise(CITIES * 3) if a != b]
     ways += list(zip(CITIES, CITIES[7:], strict=False))
-    plans: list[platoon_osm.JointPlan] = []
+    plans: list[platoon_osm.Plan] = []
     number = 0
     for place, master in enumerate(MASTERS):
         trips = []
@@ -78,8 +79,53 @@ def _fleet(net: platoon_osm.RoadNetwork) -> platoon_osm.JointPlan:
                 )
             )
         plans.append(platoon_osm.plan_joint(net, weights, trips, case="C"))
-    vehicles = tuple(vehicle for plan in plans for vehicle in plan.vehicles)
-    return replace(plans[0], vehicles=vehicles, proof={}, remarks=())
+    return _one_of(plans)
+
+
+def _one_of(plans: list[platoon_osm.Plan]) -> platoon_osm.Plan:
+    """Return plans of different vehicles as one: positions go on where the last plan ended."""
+    first = [0, *accumulate(len(plan.trips) for plan in plans)]
+    first_stretch = [0, *accumulate(len(plan.stretches) for plan in plans)]
+    numbered = list(zip(plans, first, first_stretch, strict=False))
+
+    def moved(vehicles: tuple[int, ...], by: int) -> tuple[int, ...]:
+        return tuple(vehicle + by for vehicle in vehicles)
+
+    return replace(
+        plans[0],
+        trips=tuple(trip for plan in plans for trip in plan.trips),
+        stretches=tuple(
+            replace(stretch, vehicles=moved(stretch.vehicles, by))
+            for plan, by, _ in numbered
+            for stretch in plan.stretches
+        ),
+        ways=tuple(moved(way, by) for plan, _, by in numbered for way in plan.ways),
+        platoons=tuple(
+            replace(
+                platoon,
+                vehicles=moved(platoon.vehicles, by),
+                master=None if platoon.master is None else platoon.master + by,
+            )
+            for plan, by, _ in numbered
+            for platoon in plan.platoons
+        ),
+        events=tuple(
+            replace(
+                event,
+                movers=moved(event.movers, by),
+                others=moved(event.others, by),
+                stretch=event.stretch + by_stretch,
+            )
+            for plan, by, by_stretch in numbered
+            for event in plan.events
+        ),
+        proof=Proof.of(
+            sum(plan.joint_cost for plan in plans),
+            sum(plan.proof.bound or 0.0 for plan in plans),
+            (*plans[0].proof.conditions, "who drives in which platoon is given"),
+        ),
+        remarks=(),
+    )
 
 
 def take_pictures(out: Path, images: Path) -> None:

@@ -232,3 +232,14 @@ def test_the_check_sees_what_is_half_told():
         '''
     """
     assert half_told(source) == ["A: b", "A: c"]
+
+
+def test_the_pages_that_pictures_are_taken_of_are_made(tmp_path):
+    code = (
+        "import sys, pathlib; sys.path.insert(0, 'docs'); import screenshots\n"
+        "screenshots.write_pages(pathlib.Path(sys.argv[1]))"
+    )
+    subprocess.run([sys.executable, "-c", code, tmp_path], cwd=ROOT, check=True, timeout=120)
+    flow = (tmp_path / "flow.html").read_text(encoding="utf-8")
+    assert "60 trucks in Italy" in flow
+    assert (tmp_path / "compare.html").exists()
