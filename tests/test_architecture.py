@@ -14,8 +14,8 @@ PACKAGE = ROOT / "platoon_osm"
 
 WALLS = {
     "": (
-        "errors", "registry", "atomic_file", "offers", "network", "sources", "search", "costs",
-        "plans", "driving", "planning", "study", "report", "cli",
+        "errors", "kinds", "registry", "atomic_file", "offers", "network", "sources", "search",
+        "costs", "plans", "driving", "planning", "study", "report", "cli",
     ),
     "network": ("preparing", "saved"),
     "sources": ("graphs", "osm", "overpass"),

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ScenarioError, brief
+from ..kinds import is_number
 
 __all__ = [
     "FITTED_RANGE_S", "PERIODS", "FatigueForm", "FatigueModel", "Period", "driving_clock",
@@ -180,8 +181,7 @@ def _moments(label: str, values: ArrayLike) -> Floats:
 
 
 def _check_relief(task_relief: float) -> None:
-    is_number = isinstance(task_relief, int | float) and not isinstance(task_relief, bool)
-    if not (is_number and 0 <= task_relief <= 1):
+    if not (is_number(task_relief) and 0 <= task_relief <= 1):
         raise ScenarioError(f"task_relief = {brief(task_relief)} must be a number in [0, 1]")
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import ScenarioError, brief
+from ..kinds import is_number
 from ..registry import Registry
 
 __all__ = ["FUEL_SAVINGS", "FuelSaving", "fuel_saving"]
@@ -42,8 +43,7 @@ class FuelSaving:
     def __post_init__(self) -> None:
         for position in ("leader", "middle", "last"):
             share = getattr(self, position)
-            is_number = isinstance(share, int | float) and not isinstance(share, bool)
-            if not (is_number and 0 <= share < 1):
+            if not (is_number(share) and 0 <= share < 1):
                 raise ScenarioError(
                     f"fuel saving {brief(self.name)}: {position} saves {brief(share)}; a "
                     "share is a number in [0, 1)"

@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ScenarioError, brief
+from ..kinds import kind_of
 from ..network.road_network import RoadNetwork
 from .weights import EdgeWeights
 
-__all__ = ["CostTerm", "Objective", "Role", "edge_weights"]
+__all__ = ["CostTerm", "Objective", "Role", "check_objective", "edge_weights"]
 
 Floats = NDArray[np.float64]
 
@@ -108,6 +109,31 @@ class Objective(Protocol):
         ...
 
 
+def check_objective(given: object, where: str, methods: tuple[str, ...]) -> None:
+    """Check that what was given can be asked what an objective is asked.
+
+    Parameters
+    ----------
+    given : object
+        An objective, or anything else.
+    where : str
+        Who asks, for the message.
+    methods : tuple of str
+        The methods that are going to be called.
+
+    Raises
+    ------
+    ScenarioError
+        One of them is missing, or a class was given in place of an object.
+    """
+    answers = all(callable(getattr(given, method, None)) for method in methods)
+    if isinstance(given, type) or not answers:
+        raise ScenarioError(
+            f"{where}: weights is a {kind_of(given)}; give edge weights, such as "
+            "paper_weights(net), or an objective"
+        )
+
+
 def edge_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: str) -> EdgeWeights:
     """Return the weights that an objective gives a network, once it is sure that they are that.
 
@@ -130,12 +156,7 @@ def edge_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: st
     ScenarioError
         No objective, one whose weights are none, or weights of another network.
     """
-    if isinstance(objective, type) or not callable(getattr(objective, "weights", None)):
-        kind = "class" if isinstance(objective, type) else type(objective).__name__
-        raise ScenarioError(
-            f"{where}: weights is a {kind}; give edge weights, such as paper_weights(net), or an "
-            "objective"
-        )
+    check_objective(objective, where, ("weights",))
     weights = objective.weights(net)
     if not isinstance(weights, EdgeWeights):
         raise ScenarioError(

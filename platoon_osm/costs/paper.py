@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ScenarioError, brief
+from ..kinds import is_number
 from ..network.road_network import RoadNetwork
 from .fuel import fuel_saving
 from .objective import Role
@@ -108,8 +109,7 @@ class PaperCosts:
             ("fuel_l_per_100km", 0.1, 1000.0),
         ):  # fmt: skip
             value = getattr(self, name)
-            is_number = isinstance(value, int | float) and not isinstance(value, bool)
-            if not (is_number and low <= value <= high and math.isfinite(value)):
+            if not (is_number(value) and low <= value <= high and math.isfinite(value)):
                 raise ScenarioError(
                     f"{name} = {brief(value)} must be a number in [{low:g}, {high:g}]"
                 )

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from ..costs.objective import Objective
+from ..costs.objective import Objective, check_objective
 from ..costs.weights import EdgeWeights
 from ..driving.rules import NO_RULES, DrivingRules
 from ..errors import ScenarioError, brief
+from ..kinds import kind_of
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
@@ -66,15 +67,10 @@ class Problem:
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
             raise ScenarioError(
-                f"plan: net is a {_kind(self.net)}; give the network first, from load_network, "
+                f"plan: net is a {kind_of(self.net)}; give the network first, from load_network, "
                 "then weights and trips"
             )
-        asked = [getattr(self.objective, name, None) for name in ("weights", "waiting")]
-        if isinstance(self.objective, type) or not all(map(callable, asked)):
-            raise ScenarioError(
-                f"plan: weights is a {_kind(self.objective)}; give edge weights, such as "
-                "paper_weights(net), or an objective"
-            )
+        check_objective(self.objective, "plan", ("weights", "waiting"))
         object.__setattr__(self, "trips", _trips(self.trips))
         for label, value, allowed in (
             ("case", self.case, (*CASES, "best")),
@@ -85,7 +81,7 @@ class Problem:
             check_choice(label, value, allowed)
         if not callable(getattr(self.rules, "violations", None)):
             raise ScenarioError(
-                f"plan: rules is a {_kind(self.rules)}; give driving rules, such as NO_RULES"
+                f"plan: rules is a {kind_of(self.rules)}; give driving rules, such as NO_RULES"
             )
         names = [trip.vehicle for trip in self.trips]
         if self.master is not None and not (isinstance(self.master, str) and self.master in names):
@@ -138,16 +134,12 @@ def _trips(given: Any) -> tuple[Trip, ...]:
     if isinstance(given, Trip):
         raise ScenarioError("plan: trips is a single Trip; put it in a list")
     if isinstance(given, str | bytes | Mapping) or not isinstance(given, Iterable):
-        raise ScenarioError(f"plan: trips is a {_kind(given)}; give a list of Trip")
+        raise ScenarioError(f"plan: trips is a {kind_of(given)}; give a list of Trip")
     trips = tuple(given)
     for number, trip in enumerate(trips, 1):
         if not isinstance(trip, Trip):
             remedy = "Trip(**it)" if isinstance(trip, Mapping) else "Trip(vehicle, from, to)"
-            raise ScenarioError(f"plan: trip {number} is a {_kind(trip)}; make it a {remedy}")
+            raise ScenarioError(f"plan: trip {number} is a {kind_of(trip)}; make it a {remedy}")
     if not trips:
         raise ScenarioError("plan: no trips; give at least one")
     return trips
-
-
-def _kind(value: object) -> str:
-    return "class" if isinstance(value, type) else type(value).__name__

@@ -17,6 +17,7 @@ from ..costs.objective import Objective
 from ..costs.presets import DEFAULT_PRESET, PRESETS
 from ..costs.weights import EdgeWeights
 from ..errors import PlatoonError, ScenarioError, brief
+from ..kinds import is_number
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.trip import TIMES, Trip, check_one_clock
@@ -279,9 +280,7 @@ def _time(file: Path, where: str, value: Any) -> datetime:
 def _place(file: Path, where: str, key: str, value: Any) -> str | tuple[float, float]:
     if isinstance(value, str) and value.strip():
         return value
-    numbers = isinstance(value, Sequence) and all(
-        isinstance(part, int | float) and not isinstance(part, bool) for part in value
-    )
+    numbers = isinstance(value, Sequence) and all(is_number(part) for part in value)
     if numbers and len(value) == 2:
         return float(value[0]), float(value[1])
     raise ScenarioError(

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from graphlib import CycleError, TopologicalSorter
 
 from ..errors import ScenarioError, brief
+from ..kinds import is_number
 from .records import Event, PlannedTrip, Platoon, Stretch
 from .timetable import Timetable
 
@@ -113,10 +114,7 @@ def _finite(where: str, *values: float) -> None:
 
 
 def _all_finite(values: Iterable[float]) -> bool:
-    return all(
-        isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
-        for value in values
-    )
+    return all(is_number(value) and math.isfinite(value) for value in values)
 
 
 def _need(holds: bool, what: str) -> None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..errors import ScenarioError
+from ..kinds import is_number
 from .clock import Clock
 
 __all__ = ["LATE_S", "Timetable", "VehicleTimes"]
@@ -152,7 +153,4 @@ class Timetable:
 
 
 def _is_moment(value: Any) -> bool:
-    return (
-        isinstance(value, int | float) and not isinstance(value, bool)
-        and math.isfinite(value) and abs(value) < 1e10
-    )  # fmt: skip
+    return is_number(value) and math.isfinite(value) and abs(value) < 1e10

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ScenarioError, brief
+from ..kinds import is_number, is_whole
 from ..network.load_report import LoadReport, Source
 from ..network.road_network import RoadNetwork
 from ..network.texts import TextTable
@@ -118,8 +119,7 @@ class RandomNetwork:
             ("spawn_diameter_m", 0.0, 2e7), ("min_route_m", 0.0, 1e8),
         ):  # fmt: skip
             value = getattr(self, name)
-            is_number = isinstance(value, int | float) and not isinstance(value, bool)
-            if not (is_number and math.isfinite(value) and low <= value <= high):
+            if not (is_number(value) and math.isfinite(value) and low <= value <= high):
                 raise ScenarioError(
                     f"{name} = {brief(value)} must be a number in [{low:g}, {high:g}]"
                 )
@@ -132,7 +132,7 @@ class RandomNetwork:
             if not isinstance(value, str | bool) or value not in allowed:
                 choice = " or ".join(str(item) for item in allowed)
                 raise ScenarioError(f"{name} = {brief(value)} must be {choice}")
-        complete = self.nodes * (self.nodes - 1) // (1 if self.directed else 2) if _whole(
+        complete = self.nodes * (self.nodes - 1) // (1 if self.directed else 2) if is_whole(
             self.nodes
         ) else 0  # fmt: skip
         for name, low, high in (
@@ -140,7 +140,7 @@ class RandomNetwork:
             ("access_nodes", 1, self.nodes), ("max_redraws", 0, 10**9),
         ):  # fmt: skip
             value = getattr(self, name)
-            if not (_whole(value) and low <= value <= high):
+            if not (is_whole(value) and low <= value <= high):
                 raise ScenarioError(
                     f"{name} = {brief(value)} must be a whole number in {low} to {high}"
                 )
@@ -252,10 +252,6 @@ class RandomNetwork:
             out = (px < 0) | (px > self.width_m) | (py < 0) | (py > self.height_m)
             missing = missing[out[missing]]
         return px, py
-
-
-def _whole(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool)
 
 
 def _largest_part(nodes: int, tail: Index, head: Index) -> NDArray[np.bool_]:

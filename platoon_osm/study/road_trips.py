@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MapDataError, ScenarioError, brief
+from ..kinds import is_whole
 from ..network.geodesy import distance_m, east_north_m
 from ..network.road_network import RoadNetwork
 from .random_network import Draw
@@ -85,7 +86,7 @@ class RoadTrips:
             raise ScenarioError(f"flows = {brief(self.flows)} must be Flows, or None")
         for name, low in (("vehicles", 2), ("max_redraws", 0)):
             value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int) or value < low:
+            if not is_whole(value) or value < low:
                 raise ScenarioError(
                     f"{name} = {brief(value)} must be a whole number, {low} or more"
                 )

@@ -5,8 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field, replace
-from types import UnionType
 from typing import Any, Literal
 
 import numpy as np
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from .._version import __version__
 from ..costs.paper import Mixing, PaperCosts
 from ..errors import ScenarioError, brief
+from ..kinds import is_number, is_whole
 from ..planning.cases import Case
 from ..planning.routers import Method
 from .random_network import RandomNetwork
@@ -62,7 +63,7 @@ class Study:
     costs: PaperCosts = field(default_factory=PaperCosts)
 
     def __post_init__(self) -> None:
-        if isinstance(self.runs, bool) or not isinstance(self.runs, int) or self.runs < 1:
+        if not is_whole(self.runs) or self.runs < 1:
             raise ScenarioError(f"runs = {brief(self.runs)} must be a whole number, 1 or more")
         if not isinstance(self.network, RandomNetwork | RoadTrips):
             raise ScenarioError(
@@ -82,20 +83,20 @@ class Study:
             ("mixings", ("printed", "gain")),
         ):
             chosen = getattr(self, name)
-            known = _are(chosen, str) and not set(chosen) - set(allowed)
+            known = _each(chosen, _is_text) and not set(chosen) - set(allowed)
             if not known or len(set(chosen)) < len(chosen):
                 raise ScenarioError(
                     f"{name} = {brief(chosen)} must be one or both of {', '.join(allowed)}"
                 )
         for name in ("tau", "xi"):
             values = getattr(self, name)
-            if not _are(values, int | float) or list(values) != sorted(set(values)):
+            if not _each(values, is_number) or list(values) != sorted(set(values)):
                 raise ScenarioError(f"{name} = {brief(values)} must be numbers in rising order")
         if not isinstance(self.points, tuple | list):
             raise ScenarioError(f"points = {brief(self.points)} must be pairs (tau, xi)")
         for pair in (*((t, self.xi[0]) for t in self.tau), *((self.tau[0], x) for x in self.xi),
                      *self.points):  # fmt: skip
-            numbers = _are(pair, int | float) and len(pair) == 2
+            numbers = _each(pair, is_number) and len(pair) == 2
             if not (numbers and all(math.isfinite(v) and 0 <= v <= 1 for v in pair)):
                 raise ScenarioError(f"grid point (tau, xi) = {brief(pair)} must lie in [0, 1]")
 
@@ -166,13 +167,13 @@ class Study:
         return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:20]
 
 
-def _are(values: object, kind: type | UnionType) -> bool:
-    """Whether it is a list or tuple of at least one of a kind."""
-    return (
-        isinstance(values, tuple | list)
-        and len(values) > 0
-        and all(isinstance(value, kind) and not isinstance(value, bool) for value in values)
-    )
+def _each(values: object, check: Callable[[object], bool]) -> bool:
+    """Whether it is a list or tuple of at least one value that all pass a check."""
+    return isinstance(values, tuple | list) and len(values) > 0 and all(map(check, values))
+
+
+def _is_text(value: object) -> bool:
+    return isinstance(value, str)
 
 
 PAPER_STUDY = Study(methods=("dijkstra", "astar"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from ...kinds import is_number
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ..markup.quantities import CostUnit, percent
@@ -148,7 +149,7 @@ def _items(value: object) -> list[object]:
 
 def _number(proof: Mapping[str, object], name: str) -> float | None:
     value = proof.get(name)
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if not is_number(value):
         return None
     return float(value) if math.isfinite(value) else None
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from ...atomic_file import whole_file
 from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError, brief
+from ...kinds import is_number
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ..document.checks import check_path
@@ -146,7 +147,7 @@ def explore(plan: Plan, net: RoadNetwork, *, height: int = 640, **options: Any) 
     ScenarioError
         As in `write_html`, or a height that is none.
     """
-    if isinstance(height, bool) or not isinstance(height, int | float) or not 0 < height < 1e5:
+    if not is_number(height) or not 0 < height < 1e5:
         raise ScenarioError(
             f"explore: height {brief(height)} must be a number of pixels, such as 640"
         )
