@@ -8,25 +8,15 @@ from collections.abc import Set as AnySet
 from typing import Any, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..errors import NetworkError
-from .geodesy import distance_m, metres_per_degree
 from .location import Location, Role
+from .nearest_road import MOST_CANDIDATES, located_at
 from .place_index import PlaceIndex, fold, join_towns
 from .road_network import RoadNetwork, checked_network
 from .usable_nodes import UsableNodes
 
 __all__ = ["locate"]
-
-OTHER_CARRIAGEWAY_M = 1_500.0
-"""How much farther than the nearest node another may be to count as a choice of carriageway."""
-
-FARTHEST_ROAD_M = 200_000.0
-"""A place farther than this from any road is not on this map: latitude and longitude exchanged,
-another country, or nought and nought."""
-
-MOST_CANDIDATES = 12
 
 
 class RoleError(NetworkError, ValueError):
@@ -72,7 +62,7 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
         at = float(net.lon[node]), float(net.lat[node])
         return Location(node, net.place_name(node), *at, 0.0, ((node, 0.0),))
     lon, lat = _coordinates(place)
-    return _by_coordinates(net, lon, lat, role, name=None)
+    return located_at(net, lon, lat, role, name=None)
 
 
 def _shown(value: object) -> str:
@@ -101,47 +91,6 @@ def _coordinates(place: Any) -> tuple[float, float]:
             "latitude within [-90, 90]"
         )
     return lon, lat
-
-
-def _by_coordinates(
-    net: RoadNetwork, lon: float, lat: float, role: Role, name: str | None
-) -> Location:
-    fits = net.attached(UsableNodes).of(role)
-    usable = np.flatnonzero(fits)
-    if not len(usable):
-        raise NetworkError(
-            f"place ({lon}, {lat}): {net.source.name} has no road to start or end on"
-        )
-    away = distance_m(net.lon[usable], net.lat[usable], lon, lat)
-    order = np.argsort(away, kind="stable")
-    limit = away[order[0]] + OTHER_CARRIAGEWAY_M
-    chosen = [i for i in order[:MOST_CANDIDATES] if away[i] <= limit]
-    candidates = tuple((int(usable[i]), float(away[i])) for i in chosen)
-    node = candidates[0][0]
-    road_m = _road_distance_m(net, fits[net.tail] | fits[net.head], lon, lat)
-    if road_m > FARTHEST_ROAD_M:
-        exchanged = abs(lon) <= 90 and distance_m(net.lon, net.lat, lat, lon).min() < road_m / 10
-        raise NetworkError(
-            f"place ({lon:g}, {lat:g}): {road_m / 1000:,.0f} km from the nearest road of "
-            f"{net.source.name}; "
-            + ("give longitude first, then latitude" if exchanged else "load a map of that region")
-        )
-    return Location(node, name or net.place_name(node), lon, lat, road_m, candidates)
-
-
-def _road_distance_m(net: RoadNetwork, edges: NDArray[np.bool_], lon: float, lat: float) -> float:
-    """Distance [m] from a point to the nearest of some edges, on a plane true to scale there."""
-    per_lon, per_lat = metres_per_degree(lat)
-    x, y = (net.shape_lon - lon) * per_lon, (net.shape_lat - lat) * per_lat
-    ax, ay, dx, dy = x[:-1], y[:-1], np.diff(x), np.diff(y)
-    joint = net.shape_first[1:-1] - 1
-    dx[joint] = dy[joint] = 0.0
-    square = dx**2 + dy**2
-    share = np.divide(-(ax * dx + ay * dy), square, out=np.zeros_like(square), where=square > 0)
-    share = np.clip(share, 0, 1)
-    away = (ax + share * dx) ** 2 + (ay + share * dy) ** 2
-    # An edge has one point more than straight pieces: the last "piece" leads to the next edge.
-    return float(np.sqrt(away[np.repeat(edges, np.diff(net.shape_first))[:-1]].min()))
 
 
 def _by_name(net: RoadNetwork, text: str, role: Role) -> Location:
@@ -180,7 +129,7 @@ def _by_name(net: RoadNetwork, text: str, role: Role) -> Location:
     usable = net.attached(UsableNodes).of(role)
     nodes = [node for node in match.nodes if usable[node]]
     if not nodes:
-        return _by_coordinates(net, match.lon, match.lat, role, match.name)
+        return located_at(net, match.lon, match.lat, role, match.name)
     candidates = _ranked(net, nodes)
     return Location(candidates[0][0], match.name, match.lon, match.lat, 0.0, candidates)
 
