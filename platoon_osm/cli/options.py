@@ -75,7 +75,7 @@ classes_option = click.option(
     metavar="TEXT",
     help="Highway values to load, with commas.",
 )
-_country = click.option("--country", help="Whose truck speed limit applies: IT, DE, US-CA, ...")
+_country = click.option("--country", help="Whose truck speed limit applies: IT, de, US-CA, ...")
 _limiter = click.option(
     "--limiter", "limiter_kmh", default=90.0, help="Speed limiter of the trucks [km/h]."
 )

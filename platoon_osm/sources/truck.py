@@ -51,8 +51,8 @@ class TruckRules:
     Attributes
     ----------
     country : str or None
-        ISO code whose motorway limit for trucks applies, such as "IT", "DE" or "US-CA"; None
-        if not known, and then only the limiter caps.
+        ISO code whose motorway limit for trucks applies, such as "IT", "DE" or "US-CA", in
+        any case; None if not known, and then only the limiter caps.
     limiter_kmh : float
         What the vehicle's speed limiter allows (90 in the EU, Directive 92/6/EEC).
     """
@@ -62,10 +62,13 @@ class TruckRules:
 
     def __post_init__(self) -> None:
         country, limiter = self.country, self.limiter_kmh
+        if isinstance(country, str):
+            country = country.strip().upper()
+            object.__setattr__(self, "country", country)
         known = isinstance(country, str) and country in COUNTRY_LIMITS_KMH
         if country is not None and not known:
             raise ScenarioError(
-                f"country {_shown(country)} has no truck limit here; use "
+                f"country {_shown(self.country)} has no truck limit here; use "
                 f"{', '.join(sorted(COUNTRY_LIMITS_KMH))}"
             )
         # Numpy's numbers are numbers too; True is none.

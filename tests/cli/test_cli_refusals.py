@@ -74,7 +74,7 @@ def test_bad_arguments(capsys, arguments, said):
         (["study", "--network", "gone.osm"], "gone.osm: no such file"),
         (["warmup", "gone.platoon"], "gone.platoon"),
         (["warmup", "a.folder"], "a.folder"),
-        (["warmup", "a.file"], "a.file: not a saved network"),
+        (["warmup", "a.file"], "a.file: not an OSM file by its name"),
         (["warmup", "--fast"], "unrecognized option --fast"),
         (["paln"], "did you mean 'plan'? use one of demo, maps"),
         (["--colour"], "unrecognized option --colour; see platoon-osm --help"),

@@ -6,26 +6,39 @@ from pathlib import Path
 
 import click
 
-from ..options import FILE
 from ..progress import steps
 
 __all__ = ["verb"]
 
 
 @click.command("warmup", short_help="compile the fast engine once, and prepare networks for it")
-@click.argument("networks", type=FILE, nargs=-1)
-def verb(networks: tuple[Path, ...]) -> None:
+@click.argument("networks", nargs=-1)
+def verb(networks: tuple[str, ...]) -> None:
     """Compile the fast engine, which takes about half a minute once, so that no plan waits for it.
 
-    NETWORKS are saved networks (.platoon), from `prepare`, whose hierarchy is built too.
+    NETWORKS are saved networks (.platoon), from `prepare`, whose hierarchy is built too and kept
+    beside them. Other maps, by file or name, are tried with it; nothing is kept beside those.
     """
     from ...network.saved.store import open_network
     from ...search.engine import prepare, warm_up
+    from ...sources.load import load_network
 
+    tried = []
     with steps(1 + len(networks)) as begin:
+        # A slip in a name is told at once, not after half a minute.
+        nets = [(name, load_network(name)) for name in networks]
         begin("compiling")
         seconds = warm_up()
-        for path in networks:
-            begin(f"preparing {path.name}")
-            prepare(open_network(path, verify=True))
+        for name, net in nets:
+            begin(f"preparing {name}")
+            if net.file is None:
+                tried.append(name)
+                prepare(net)
+            else:
+                prepare(open_network(net.file, verify=True))
     click.echo(f"The fast engine is ready ({seconds:.1f} s).")
+    for name in tried:
+        click.echo(
+            f"{name}: works with it; to keep its preparation too, save it with "
+            f"platoon-osm prepare {name} -o {Path(name).name.split('.')[0] or 'map'}.platoon"
+        )

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import MapDataError
+from .file_kind import osm_file
 
 __all__ = ["deleted_ways", "new_node_positions", "xml_items"]
 
@@ -35,7 +36,7 @@ def xml_items(path: Path) -> Iterator[ElementTree.Element]:
     OSError, ElementTree.ParseError
         The file is not such a file, or breaks off.
     """
-    opener: Any = {".gz": gzip.open, ".bz2": bz2.open}.get(path.suffix, open)
+    opener: Any = {".gz": gzip.open, ".bz2": bz2.open}.get(path.suffix.lower(), open)
     with opener(path, "rb") as handle:
         root = None
         for _, item in ElementTree.iterparse(handle, events=("start",)):
@@ -92,7 +93,7 @@ def new_node_positions(path: Path, wanted: NDArray[np.int64]) -> dict[int, tuple
     import osmium
 
     ids = set(wanted.tolist())
-    nodes: Any = osmium.FileProcessor(str(path), osmium.osm.NODE)
+    nodes: Any = osmium.FileProcessor(osm_file(path), osmium.osm.NODE)
     return {
         node.id: (node.location.lon_without_check(), node.location.lat_without_check())
         for node in nodes

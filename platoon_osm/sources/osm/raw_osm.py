@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from ...errors import MapDataError
 from ...network.load_report import Source
 from ..file_identity import osm_source
+from .file_kind import osm_file
 from .josm import deleted_ways, new_node_positions, xml_items
 
 __all__ = ["OsmNameError", "RawMap", "TagReader", "read_raw"]
@@ -271,7 +272,7 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
         # The writer is called object by object and not handed to apply() itself: after a read
         # error that would end the process.
         collector = _Collector(writer)
-        with osmium.io.Reader(str(path), osmium.osm.NODE | osmium.osm.WAY) as reader:
+        with osmium.io.Reader(osm_file(path), osmium.osm.NODE | osmium.osm.WAY) as reader:
             locations = osmium.NodeLocationsForWays(osmium.index.create_map("flex_mem"))
             locations.ignore_errors()
             wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS)
@@ -310,7 +311,7 @@ def _misnamed(path: Path) -> str:
     with path.open("rb") as handle:
         begin = handle.read(16)
     for at, marker, kind, suffixes in BEGINNINGS:
-        if begin[at:].startswith(marker) and path.suffix not in suffixes:
+        if begin[at:].startswith(marker) and path.suffix.lower() not in suffixes:
             name = suffixes[0] if suffixes[0] == ".osm" else f".osm{suffixes[0]}"
             return f"its content is {kind}, its name says otherwise; rename it to end in {name}"
     return ""
@@ -328,7 +329,7 @@ def _bad_node(path: Path) -> str:
     import osmium
 
     last = 0
-    nodes: Any = osmium.FileProcessor(str(path), osmium.osm.NODE)
+    nodes: Any = osmium.FileProcessor(osm_file(path), osmium.osm.NODE)
     try:
         for node in nodes:
             if _off_the_globe(node.location):

@@ -85,7 +85,7 @@ def download(
     """
     target = Path(output)
     bounds = read_bounds(place)
-    if target.suffix not in SUFFIXES:
+    if target.suffix.lower() not in SUFFIXES:
         raise ScenarioError(f"{target}: the file name must end in {' or '.join(SUFFIXES)}")
     # Classes go into the query as they are.
     unknown = [kind for kind in classes if not re.fullmatch("[a-z_]+", kind) or kind == "other"]
@@ -260,7 +260,7 @@ def _graph(
 
 def _save(graph: Any, place: str, file: Path, classes: Sequence[str], rules: TruckRules) -> None:
     source = osm_source(f"OpenStreetMap, {place}")
-    if file.suffix == ".platoon":
+    if file.suffix.lower() == ".platoon":
         save_network(network_from_osmnx(graph, classes, rules, source), file)
         return
     import osmnx

@@ -64,3 +64,11 @@ def test_nothing_is_left_to_compile(monkeypatch):
 def test_warmup_refuses_what_is_no_saved_network(tmp_path, capsys):
     assert main(["warmup", str(tmp_path / "nowhere.platoon")]) == 2
     assert "nowhere.platoon" in capsys.readouterr().err
+
+
+def test_warmup_takes_maps_by_name_and_says_what_is_not_kept(tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["warmup", "italy-motorways"]) == 0
+    out = capsys.readouterr().out
+    assert "platoon-osm prepare italy-motorways -o italy-motorways.platoon" in out
+    assert list(tmp_path.iterdir()) == []
