@@ -21,7 +21,7 @@ if TYPE_CHECKING:
         PlatoonError,
         ScenarioError,
     )
-    from .network.location import Location
+    from .network.location import Location, Place
     from .network.road_network import RoadNetwork
     from .planning.cases import plan_members
     from .planning.joint import plan_joint, solve
@@ -55,6 +55,7 @@ _WHERE = {
     "PlatoonError": "errors",
     "ScenarioError": "errors",
     "Location": "network.location",
+    "Place": "network.location",
     "RoadNetwork": "network.road_network",
     "many_to_many": "search.engine",
     "plan_members": "planning.cases",
@@ -97,6 +98,7 @@ __all__ = [
     "NetworkError",
     "NoRouteError",
     "PaperCosts",
+    "Place",
     "Plan",
     "PlatoonError",
     "Problem",

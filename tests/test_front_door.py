@@ -55,6 +55,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "vehicle": "A", "origin": "Torino", "destination": "Trieste",
             "earliest_departure": None, "latest_departure": None, "latest_arrival": None,
         }),
+        "Place": (po.Place, {"at": "Torino", "osmid": None, "label": "home"}),
         "Problem": (po.Problem, {
             "net": net, "trips": trips, "objective": weights, "rules": NO_RULES, "case": "C",
             "master": "A", "method": "dijkstra", "optimum": "member", "engine": "auto",
@@ -75,7 +76,12 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "source": "italy-motorways", "classes": ("motorway",), "country": None,
             "limiter_kmh": 90.0, "infer_links": False,
         }),
-        "net.locate": (net.locate, {"place": "Torino", "role": "origin"}),
+        "net.locate": (net.locate, {
+            "place": "Torino", "role": "origin", "osmid": None, "label": None,
+        }),
+        "net.locate(osmid)": (net.locate, {
+            "place": None, "role": "any", "osmid": int(net.node_id[0]), "label": "x",
+        }),
         "net.take": (net.take, {"edges": [0, 1]}),
         "paper_weights": (po.paper_weights, {"net": net, "costs": None}),
         "PaperCosts": (po.PaperCosts, _defaults(po.PaperCosts())),
@@ -121,7 +127,8 @@ def _defaults(made: Any) -> dict[str, Any]:
 
 NAMES = (
     "Trip", "Problem", "solve", "plan_joint", "plan_members", "many_to_many", "load_network",
-    "net.locate", "net.take", "paper_weights", "PaperCosts", "FuelSaving", "FatigueModel",
+    "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights", "PaperCosts",
+    "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html", "write_flows",
     "write_comparison", "write_csv", "write_gpx", "write_geopackage",

@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from collections.abc import Set as AnySet
+from dataclasses import replace
 from typing import Any, get_args
 
 import numpy as np
 
 from ..errors import NetworkError
-from .location import Location, Role
+from .location import Location, Place, Role
 from .nearest_road import MOST_CANDIDATES, located_at
 from .place_index import PlaceIndex, fold, join_towns
 from .road_network import RoadNetwork, checked_network
@@ -23,20 +24,26 @@ class RoleError(NetworkError, ValueError):
     """A role in a trip that is none."""
 
 
-def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
+def locate(
+    net: RoadNetwork, place: Any = None, role: Role = "any", *, osmid: Any = None, label: Any = None
+) -> Location:
     """Find a place on the network.
 
     Parameters
     ----------
     net : RoadNetwork
         Where to look.
-    place : int, (float, float), Location or str
+    place : int, (float, float), Location, Place or str
         A node position; longitude and latitude in degrees; a `Location`, which stays what it is;
-        or the name of a junction or town, in any case and without accents if need be;
+        a `Place`; or the name of a junction or town, in any case and without accents if need be;
         "Novara Est (A4)" tells two of the same name apart.
     role : {"origin", "destination", "any"}
         "origin" takes nodes from which the main network can be reached, "destination" nodes
         that can be reached from it, "any" nodes that can do both.
+    osmid : int, optional
+        Id of an OpenStreetMap node, instead of `place`.
+    label : str, optional
+        What the place is to be called, instead of the name found for it.
 
     Returns
     -------
@@ -46,23 +53,37 @@ def locate(net: RoadNetwork, place: Any, role: Role = "any") -> Location:
     Raises
     ------
     NetworkError
-        No such node or name (with the nearest spellings), several places of that name (listed),
-        coordinates off the globe or far from every road, or a role that is none.
+        No such node, id or name (with the nearest spellings), several places of that name
+        (listed), coordinates off the globe or far from every road, or a role that is none.
     """
     net = checked_network(net)
     if not isinstance(role, str) or role not in get_args(Role):
         raise RoleError(f"role {_shown(role)} is unknown; use {', '.join(get_args(Role))}")
+    if osmid is not None or label is not None:
+        if isinstance(place, Place):
+            raise NetworkError("place: a Place says all; give no osmid or label beside it")
+        place = Place(place, osmid=osmid, label=label)
+    if isinstance(place, Place):
+        if place.osmid is not None:
+            found = _at_nodes(net, *_known_osmid(net, place.osmid))
+        else:
+            found = locate(net, place.at, role)
+        return replace(found, name=place.label) if place.label else found
     if isinstance(place, str):
         return _by_name(net, place, role)
     if isinstance(place, Location):
         _node(net, place.node)
         return place
     if isinstance(place, int | np.integer) and not isinstance(place, bool):
-        node = _node(net, place)
-        at = float(net.lon[node]), float(net.lat[node])
-        return Location(node, net.place_name(node), *at, 0.0, ((node, 0.0),))
+        return _at_nodes(net, _node(net, place))
     lon, lat = _coordinates(place)
     return located_at(net, lon, lat, role, name=None)
+
+
+def _at_nodes(net: RoadNetwork, *nodes: int) -> Location:
+    node = nodes[0]
+    at = float(net.lon[node]), float(net.lat[node])
+    return Location(node, net.place_name(node), *at, 0.0, tuple((own, 0.0) for own in nodes))
 
 
 def _shown(value: object) -> str:
@@ -71,8 +92,29 @@ def _shown(value: object) -> str:
 
 def _node(net: RoadNetwork, node: Any) -> int:
     if not 0 <= node < net.n:
-        raise NetworkError(f"node {_shown(node)}: the network has nodes 0 to {net.n - 1}")
+        known = _nodes_of_osmid(net, int(node))
+        raise NetworkError(
+            f"node {_shown(node)}: the network has nodes 0 to {net.n - 1}"
+            + (f"; for the OpenStreetMap id, give osmid={node}" if known else "")
+        )
     return int(node)
+
+
+def _nodes_of_osmid(net: RoadNetwork, osmid: int) -> list[int]:
+    fits = -(2**63) <= osmid < 2**63
+    return np.flatnonzero(net.node_id == osmid).tolist() if fits else []
+
+
+def _known_osmid(net: RoadNetwork, osmid: int) -> list[int]:
+    if nodes := _nodes_of_osmid(net, osmid):
+        return nodes
+    if osmid in net.way_id and osmid:
+        remedy = "that is the id of a way; give one of its junctions"
+    else:
+        remedy = "only junctions and ends of roads are kept; give (lon, lat) instead"
+    raise NetworkError(
+        f"osmid {_shown(osmid)}: no node of {net.source.name} has that OpenStreetMap id; {remedy}"
+    )
 
 
 def _coordinates(place: Any) -> tuple[float, float]:

@@ -346,22 +346,29 @@ class RoadNetwork(NetworkArrays):
 
     # -- what upper rooms offer ----------------------------------------------------------------
 
-    def locate(self, place: Any, role: Role = "any") -> Location:
+    def locate(
+        self, place: Any = None, role: Role = "any", *, osmid: Any = None, label: Any = None
+    ) -> Location:
         """Find the node of a place; see `platoon_osm.network.locate.locate`.
 
         Parameters
         ----------
         place : object
-            A node, a (lon, lat) pair, a `Location` or a name.
+            A node, a (lon, lat) pair, a `Location`, a `Place` or a name.
         role : Role
             "origin", "destination" or "any".
+        osmid : int, optional
+            Id of an OpenStreetMap node, instead of `place`.
+        label : str, optional
+            What the place is to be called.
 
         Returns
         -------
         Location
             The place.
         """
-        return offered("locate")(self, place, role)  # type: ignore[no-any-return]
+        found: Location = offered("locate")(self, place, role, osmid=osmid, label=label)
+        return found
 
     def save(self, path: Any) -> None:
         """Write the project's own form; see `platoon_osm.network.saved.store.save_network`.

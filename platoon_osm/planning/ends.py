@@ -10,7 +10,7 @@ import numpy as np
 from ..costs.weights import EdgeWeights
 from ..errors import NoRouteError, PlatoonError, ScenarioError
 from ..network.locate import locate
-from ..network.location import Location, Role
+from ..network.location import Location, Place, Role
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip
 from ..search.trees import Trees
@@ -56,7 +56,7 @@ def located(net: RoadNetwork, trips: Sequence[Trip]) -> list[Ends]:
     net : RoadNetwork
         The network.
     trips : sequence of Trip, (N,)
-        Places as names, coordinates, nodes or locations.
+        Places as names, coordinates, nodes, locations or `Place`.
 
     Returns
     -------
@@ -72,7 +72,8 @@ def located(net: RoadNetwork, trips: Sequence[Trip]) -> list[Ends]:
 
 
 def _located(net: RoadNetwork, trip: Trip, end: Role) -> Location:
-    place = trip.origin if end == "origin" else trip.destination
+    asked = trip.origin if end == "origin" else trip.destination
+    place = asked.at if isinstance(asked, Place) else asked
     if isinstance(place, Location):
         for node, _ in place.candidates:
             if not 0 <= node < net.n:
@@ -80,9 +81,8 @@ def _located(net: RoadNetwork, trip: Trip, end: Role) -> Location:
                     f"trip {trip.vehicle!r}, {end}: {place.name} is at node {node}, the network "
                     f"has nodes 0 to {net.n - 1}; locate it on this network"
                 )
-        return place
     try:
-        return locate(net, place, end)
+        return locate(net, asked, end)
     except PlatoonError as error:
         raise type(error)(f"trip {trip.vehicle!r}, {end}: {error}") from error
 

@@ -7,15 +7,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-import numpy as np
+from ..errors import NetworkError, ScenarioError, brief
+from ..network.location import PlaceLike, plain_place
 
-from ..errors import ScenarioError, brief
-from ..network.location import Location
-
-__all__ = ["TIMES", "Place", "Trip", "check_one_clock"]
-
-Place = str | tuple[float, float] | int | Location
-"""A name, (lon, lat) in degrees, a node, or what `net.locate` found."""
+__all__ = ["TIMES", "Trip", "check_one_clock"]
 
 FIRST_YEAR, LAST_YEAR = 1900, 9000
 """Beyond these, sums of times may run out of the calendar."""
@@ -33,9 +28,9 @@ class Trip:
     ----------
     vehicle : str
         Its name, shown in every table and map.
-    origin, destination : str or tuple of float or int or Location
-        Places: a name, (lon, lat) in degrees, a node position, or what `net.locate` found. Names
-        and coordinates are looked for on the network of the plan.
+    origin, destination : str or tuple of float or int or Location or Place
+        Places: a name, (lon, lat) in degrees, a node position, what `net.locate` found, or a
+        `Place` with an OpenStreetMap id or a label. They are looked for on the network of the plan.
     earliest_departure, latest_departure, latest_arrival : datetime or None
         When. In one plan all have a time zone or none has.
 
@@ -46,8 +41,8 @@ class Trip:
     """
 
     vehicle: str
-    origin: Place
-    destination: Place
+    origin: PlaceLike
+    destination: PlaceLike
     earliest_departure: datetime | None = None
     latest_departure: datetime | None = None
     latest_arrival: datetime | None = None
@@ -93,23 +88,11 @@ class Trip:
                 )
 
 
-def _place(vehicle: str, end: str, value: Any) -> Place:
-    """Return a place as plain Python types."""
-    if isinstance(value, Location) or (isinstance(value, str) and value.strip()):
-        return value
-    if isinstance(value, int | np.integer) and not isinstance(value, bool):
-        return int(value)
-    pair = isinstance(value, Sequence | np.ndarray) and not isinstance(value, str | bytes)
-    if pair and len(value) == 2 and all(_is_number(part) for part in value):
-        return float(value[0]), float(value[1])
-    raise ScenarioError(
-        f"trip {vehicle!r}: {end} {brief(value)} must be a name, a (lon, lat) pair in degrees, "
-        "a node, or come from net.locate"
-    )
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+def _place(vehicle: str, end: str, value: Any) -> PlaceLike:
+    try:
+        return plain_place(value)
+    except NetworkError as error:
+        raise ScenarioError(f"trip {vehicle!r}: {end} {error}") from None
 
 
 def check_one_clock(trips: Sequence[Trip]) -> None:
