@@ -1,16 +1,107 @@
-"""Files that appear whole or not at all."""
+"""Files that appear whole or not at all, alone or several together; what was there stays till then.
+
+A file is written as a draft in a folder of its own beside its place, as some writers keep a
+journal beside their file. When all is written, drafts are brought to the disk and moved into place.
+Whatever ends the work before that, an error, a full disk or an interrupt, leaves nothing behind:
+no draft, and no folder that was made for it.
+"""
 
 from __future__ import annotations
 
 import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+import stat
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from dataclasses import dataclass
 from pathlib import Path
 
-from .errors import PlatoonError, ScenarioError, brief
+from .errors import PlatoonError, ScenarioError
+from .interrupts import held_back
+from .leftovers import forget, make_folder, remove
+from .output_paths import checked_file, checked_folder
 
-__all__ = ["whole_file"]
+__all__ = ["all_or_none", "new_folder", "whole_file"]
+
+
+@dataclass(frozen=True, slots=True)
+class _Move:
+    draft: Path
+    target: Path
+    named: Path
+    refusal: type[PlatoonError]
+
+
+class _Batch:
+    """Drafts that are moved together, and the folders made for them."""
+
+    def __init__(self) -> None:
+        self.moves: list[_Move] = []
+        self.drafts: list[Path] = []
+        self.made: list[Path] = []
+
+    def draft_folder(self, beside: Path) -> Path:
+        folder = beside / f".draft-{os.urandom(8).hex()}"
+        self.drafts.append(folder)
+        make_folder(folder, 0o700)
+        return folder
+
+    def place(self) -> None:
+        """Move all drafts into place; if one cannot be, put back what the others replaced."""
+        done: list[tuple[_Move, Path | None]] = []
+        try:
+            for move in self.moves:
+                before = _kept(move) if len(self.moves) > 1 else None
+                try:
+                    move.draft.replace(move.target)
+                except OSError as error:
+                    raise _refused(move.named, move.refusal, error) from error
+                done.append((move, before))
+        except BaseException:
+            for move, before in reversed(done):
+                with suppress(OSError):
+                    before.replace(move.target) if before else move.target.unlink()
+            raise
+        for folder in self.made:
+            forget(folder)
+        self.made.clear()
+
+    def clean(self) -> None:
+        for folder in (*self.drafts, *reversed(self.made)):
+            remove(folder)
+
+
+_open: ContextVar[_Batch | None] = ContextVar("_open", default=None)
+
+
+@contextmanager
+def all_or_none() -> Iterator[None]:
+    """Move all files written in a block into place at its end, or none if it ends by an error.
+
+    Yields
+    ------
+    None
+        Nothing; `whole_file` and `new_folder` know that they stand in the block.
+    """
+    with _batch():
+        yield
+
+
+@contextmanager
+def _batch() -> Iterator[_Batch]:
+    if (outer := _open.get()) is not None:
+        yield outer
+        return
+    batch = _Batch()
+    token = _open.set(batch)
+    try:
+        yield batch
+        with held_back():
+            batch.place()
+    finally:
+        _open.reset(token)
+        with held_back():
+            batch.clean()
 
 
 @contextmanager
@@ -18,12 +109,13 @@ def whole_file(
     path: str | os.PathLike[str],
     refusal: type[PlatoonError] = ScenarioError,
     *,
-    suffix: str | None = None,
+    suffixes: Sequence[str] = (),
+    synced: bool = True,
 ) -> Iterator[Path]:
     """Give a place to write a file, and move it to `path` once the block ends without error.
 
-    The draft lies in a folder of its own beside `path`, as some writers keep a journal beside
-    their file; both are gone afterwards.
+    Inside `all_or_none` it is moved at the end of that. Links are followed: what they lead to is
+    replaced, with its rights kept.
 
     Parameters
     ----------
@@ -31,8 +123,12 @@ def whole_file(
         The file to be.
     refusal : type of PlatoonError
         The error to raise if the file cannot be written.
-    suffix : str, optional
-        Of the draft, which some writers look at; by default that of `path`.
+    suffixes : sequence of str
+        Those its format has; the draft has the first, which some writers look at. Without any,
+        the draft has that of `path`.
+    synced : bool
+        Whether to wait until the disk has it; a file that is checked when it is read again can
+        do without.
 
     Yields
     ------
@@ -42,25 +138,94 @@ def whole_file(
     Raises
     ------
     PlatoonError
-        Of the class `refusal`: the folder is missing, or the file cannot be written.
+        Of the class `refusal`: a path that cannot be written to, as `checked_file` says, or a
+        write that fails.
     """
-    try:
-        target = Path(path)
-    except TypeError:
-        raise refusal(f"{brief(path)}: is no path; name a file to write") from None
-    try:
-        folder = tempfile.TemporaryDirectory(dir=target.parent, prefix=".draft-")
-    except OSError as error:
-        raise refusal(
-            f"{target}: cannot be written ({error.strerror}); name a file in a folder that exists"
-        ) from None
-    with folder as name:
-        draft = Path(name) / f"draft{target.suffix if suffix is None else suffix}"
+    target = checked_file(path, refusal, suffixes)
+    named = Path(path)
+    with _batch() as batch:
+        try:
+            folder = batch.draft_folder(target.parent)
+        except OSError as error:
+            raise _refused(named, refusal, error) from error
+        draft = folder / f"draft{suffixes[0] if suffixes else target.suffix}"
         try:
             yield draft
-            draft.replace(target)
+            _take_over_rights(draft, target)
+            if synced:
+                _bring_to_disk(draft)
         except OSError as error:
-            raise refusal(
-                f"{target}: cannot be written ({error.strerror or error}); free it or name "
-                "another file"
-            ) from error
+            raise _refused(named, refusal, error) from error
+        batch.moves.append(_Move(draft, target, named, refusal))
+
+
+@contextmanager
+def new_folder(
+    path: str | os.PathLike[str], refusal: type[PlatoonError] = ScenarioError
+) -> Iterator[Path]:
+    """Make a folder with its parents, if it is not there; if the block fails it is gone again.
+
+    Parameters
+    ----------
+    path : path-like
+        The folder.
+    refusal : type of PlatoonError
+        The error to raise if it cannot be made.
+
+    Yields
+    ------
+    Path
+        The folder, which exists.
+
+    Raises
+    ------
+    PlatoonError
+        Of the class `refusal`: as `checked_folder` says.
+    """
+    target = checked_folder(path, refusal)
+    missing = [place for place in (target, *target.parents) if not place.exists()]
+    with _batch() as batch:
+        try:
+            for place in reversed(missing):
+                batch.made.append(place)
+                make_folder(place)
+        except OSError as error:
+            told = error.strerror or error
+            raise refusal(f"{path}: cannot be made ({told}); name another folder") from error
+        yield Path(path)
+
+
+def _kept(move: _Move) -> Path | None:
+    """Return another name of what a move replaces, to put it back; None if nothing is there."""
+    if not move.target.exists():
+        return None
+    before = move.draft.with_name("before")
+    try:
+        os.link(move.target, before)
+    except OSError:  # a file system without links
+        move.target.replace(before)
+    return before
+
+
+def _take_over_rights(draft: Path, target: Path) -> None:
+    """Give a draft the rights and the owner of the file it replaces."""
+    with suppress(FileNotFoundError):
+        old, new = target.stat(), draft.stat()
+        if (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid) and hasattr(os, "chown"):
+            with suppress(PermissionError):
+                os.chown(draft, old.st_uid, old.st_gid)
+        draft.chmod(stat.S_IMODE(old.st_mode))
+
+
+def _bring_to_disk(draft: Path) -> None:
+    # Some file systems tell only here that there was no room.
+    handle = os.open(draft, os.O_RDWR | getattr(os, "O_BINARY", 0))
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _refused(named: Path, refusal: type[PlatoonError], error: OSError) -> PlatoonError:
+    told = error.strerror or error
+    return refusal(f"{named}: cannot be written ({told}); free it or name another file")

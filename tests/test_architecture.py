@@ -14,7 +14,8 @@ PACKAGE = ROOT / "platoon_osm"
 
 WALLS = {
     "": (
-        "errors", "kinds", "registry", "atomic_file", "offers", "network", "sources", "search",
+        "errors", "kinds", "registry", "interrupts", "leftovers", "output_paths", "atomic_file",
+        "shown_text", "offers", "network", "sources", "search",
         "costs", "plans", "driving", "planning", "study", "report", "cli",
     ),
     "network": ("preparing", "saved"),

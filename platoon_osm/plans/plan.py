@@ -214,8 +214,8 @@ class Plan:
             The file cannot be written.
         """
         text = json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n"
-        with whole_file(path) as draft:
-            draft.write_text(text, encoding="utf-8")
+        with whole_file(path, suffixes=(".json",)) as draft:
+            draft.write_text(text, encoding="utf-8", newline="\n")
 
     @classmethod
     def read_json(cls, path: str | os.PathLike[str]) -> Plan:

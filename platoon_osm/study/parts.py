@@ -72,7 +72,7 @@ def save_part(path: Path, arrays: dict[str, NDArray[np.generic]]) -> None:
         The folder cannot be made or written.
     """
     make_folder(path.parent)
-    with whole_file(path) as draft:
+    with whole_file(path, synced=False) as draft:
         np.savez(draft, **arrays)  # type: ignore[arg-type]
 
 

@@ -16,7 +16,7 @@ from platoon_osm.report.drawing.polyline import decode_lines, decode_polyline, e
 from platoon_osm.report.maps.pixels import shifted
 from platoon_osm.report.maps.placement import SOLID, Box, Cover
 from platoon_osm.report.markup.leaflet import load_leaflet
-from platoon_osm.report.markup.shown_text import shown
+from platoon_osm.shown_text import shown
 
 COORDINATE = st.tuples(st.floats(-180, 180), st.floats(-85, 85))
 

@@ -24,7 +24,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.offers import offered
 from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import explore, write_csv, write_figures, write_gpx
-from platoon_osm.report.markup.shown_text import shown
+from platoon_osm.shown_text import shown
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -91,7 +91,7 @@ def test_wrong_format_is_named(plan: JointPlan, net: RoadNetwork, tmp_path: Path
 
 def test_gpx_opens_again(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
     written = write_gpx(plan, net, tmp_path)
-    assert [path.name for path in written] == [f"vehicle-{letter}.gpx" for letter in "ABC"]
+    assert [path.name for path in written] == ["a.gpx", "b.gpx", "c.gpx"]
     for path, vehicle in zip(written, plan.vehicles, strict=True):
         tracks = geopandas.read_file(path, layer="tracks")
         assert len(tracks) == 1

@@ -15,7 +15,7 @@ from platoon_osm.network.load_report import Source
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import to_geodataframe, write_geopackage
-from platoon_osm.report.markup.shown_text import shown
+from platoon_osm.shown_text import shown
 
 
 def test_legs_as_a_frame(plan: JointPlan, net: RoadNetwork) -> None:

@@ -464,7 +464,7 @@ def test_gpx_has_times_in_utc_where_the_plan_has_a_zone(
 
     day = timed(plan, SIX.replace(tzinfo=timezone(rome)))
     write_gpx(day, net, tmp_path)
-    root = ElementTree.parse(tmp_path / "vehicle-B.gpx").getroot()
+    root = ElementTree.parse(tmp_path / "b.gpx").getroot()
     moments = [
         datetime.fromisoformat(found.text or "")
         for found in root.iterfind(f"{GPX}trk/{GPX}trkseg/{GPX}trkpt/{GPX}time")
@@ -493,7 +493,7 @@ def test_gpx_leaves_out_times_without_a_zone(
     day: JointPlan, net: RoadNetwork, tmp_path: Path
 ) -> None:
     write_gpx(day, net, tmp_path)
-    text = (tmp_path / "vehicle-B.gpx").read_text(encoding="utf-8")
+    text = (tmp_path / "b.gpx").read_text(encoding="utf-8")
     assert "<time>" not in text
     assert "times left out: those of the plan name no time zone" in text
 

@@ -20,7 +20,7 @@ from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.markup.fragments import Piece, written
 from platoon_osm.report.markup.security import json_for_html
-from platoon_osm.report.markup.shown_text import fitted, shown
+from platoon_osm.shown_text import fitted, shown
 
 
 def hostile_case(name: str) -> tuple[JointPlan, RoadNetwork]:

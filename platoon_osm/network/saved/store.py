@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from ...atomic_file import whole_file
 from ...errors import MapDataError, NetworkError
+from ...output_paths import SAVED
 from ..columns import COLUMNS, columns_per
 from ..load_report import LoadReport, Source
 from ..road_network import NamedPoints, RoadNetwork, checked_network
@@ -80,7 +81,8 @@ def save_network(net: RoadNetwork, path: str | os.PathLike[str]) -> None:
         }
     ).encode()
     header += b" " * (-(BEFORE_HEADER + len(header)) % ALIGNMENT)
-    with whole_file(as_path(path), MapDataError) as draft, draft.open("wb") as out:
+    draft_of = whole_file(as_path(path), MapDataError, suffixes=SAVED)
+    with draft_of as draft, draft.open("wb") as out:
         out.write(MAGIC + bytes([FORMAT_VERSION]) + len(header).to_bytes(8, "little"))
         out.write(hashlib.sha256(header).digest() + header)
         for array in arrays.values():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from ...shown_text import shortened
 from ..document.model import Document
 from ..drawing.lines import Point
 from ..drawing.palette import FRAME, INK, MUTED, NETWORK, PAPER, PLATOON, PLATOON_CASING
@@ -12,7 +13,6 @@ from ..maps.map_texts import placed_callouts, placed_names
 from ..maps.map_view import MapView
 from ..maps.pixels import laid, simplified
 from ..maps.placement import Box, Cover
-from ..markup.shown_text import shortened
 from .paper import WIDTH_IN, axes_of, dash_of
 
 if TYPE_CHECKING:

@@ -11,18 +11,18 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...atomic_file import whole_file
+from ...atomic_file import all_or_none, whole_file
 from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError, brief
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
+from ...shown_text import shortened
 from ..document.checks import check_path
 from ..document.document import document_of
 from ..document.model import Document
 from ..document.model_day import DaySchedule, JourneyScale
 from ..document.model_vehicle import Vehicle
 from ..drawing.palette import MUTED, PAPER, PLATOON, PLATOON_CASING
-from ..markup.shown_text import shortened
 from .figure_map import corridor
 from .paper import METADATA, axes_of, dash_of, drawing
 from .schedule_figure import COLUMNS, draw_schedule, schedule_rows
@@ -77,22 +77,22 @@ def write_figures(
     folder = check_path(folder)
     document = document_of(plan, net, weights=weights)
     written: list[Path] = []
-    with drawing():
+    with all_or_none(), drawing():
         for name, figure in _figures(document):
             for kind in formats:
                 path = folder / f"{name}.{kind}"
-                with whole_file(path, suffix=f".{kind}") as draft:
+                with whole_file(path, suffixes=(f".{kind}",)) as draft:
                     figure.savefig(draft, dpi=300, metadata=METADATA[kind])
                 written.append(path)
-    if document.schedule is not None:
-        path = folder / "schedule.csv"
-        with (
-            whole_file(path, suffix=".csv") as draft,
-            draft.open("w", encoding="utf-8", newline="") as handle,
-        ):
-            table = csv.writer(handle, lineterminator="\n")
-            table.writerows([COLUMNS, *schedule_rows(document, document.schedule)])
-        written.append(path)
+        if document.schedule is not None:
+            path = folder / "schedule.csv"
+            with (
+                whole_file(path, suffixes=(".csv",)) as draft,
+                draft.open("w", encoding="utf-8", newline="") as handle,
+            ):
+                table = csv.writer(handle, lineterminator="\n")
+                table.writerows([COLUMNS, *schedule_rows(document, document.schedule)])
+            written.append(path)
     return written
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from ...plans.clock import duration
 from ...plans.records import Event
+from ...shown_text import fitted, shortened, shown
 from ..markup.quantities import kilometres
-from ..markup.shown_text import fitted, shortened, shown
 from .findings import Findings
 from .model_map import EventMark
 from .timeline import waits_at

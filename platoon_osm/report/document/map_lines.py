@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...shown_text import fitted
 from ..drawing.basemap import route_line
 from ..drawing.lines import Line
 from ..markup.quantities import kilometres
-from ..markup.shown_text import fitted
 from .findings import Findings
 from .model_map import BandPart, LanePart, PlatoonLine, SharedCost, SoloLine, Tip
 from .wording import cost_texts, joined

@@ -6,8 +6,8 @@ import numpy as np
 
 from ...network.geodesy import distance_m
 from ...network.road_network import POINT_KINDS, RoadNetwork
+from ...shown_text import shortened, shown
 from ..drawing.basemap import BASEMAP_STEPS
-from ..markup.shown_text import shortened, shown
 from .model_map import JunctionLabel, TownLabel
 
 __all__ = ["junction_labels", "town_labels"]

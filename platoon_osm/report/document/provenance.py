@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
+from ...shown_text import fitted, shown
 from ..markup.quantities import CostUnit, percent
-from ..markup.shown_text import fitted, shown
 from .model import LabelledText, Provenance
 
 __all__ = ["OSM_CREDIT", "credits", "proof_text", "provenance"]

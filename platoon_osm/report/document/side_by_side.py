@@ -9,8 +9,8 @@ from typing import Any
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
+from ...shown_text import fitted, shown
 from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
-from ..markup.shown_text import fitted, shown
 from .as_json import as_json
 from .checks import check_plan, check_title, check_titles
 from .document import document_of

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...shown_text import fitted, shortened, shown
 from ..markup.quantities import clock_span, kilometres, litres, percent, true_minus
-from ..markup.shown_text import fitted, shortened, shown
 from .findings import Findings
 from .model import Figure, Group, Totals
 from .wording import cost_texts, counted, joined

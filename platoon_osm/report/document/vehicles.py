@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...plans.records import Stop as PlannedStop
+from ...shown_text import fitted
 from ..markup.quantities import kilometres
-from ..markup.shown_text import fitted
 from .driver_fatigue import fatigue_along
 from .findings import Findings
 from .model_vehicle import Stop, Vehicle, VehicleTexts

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..markup.shown_text import shown
+from ...shown_text import shown
 from .palette import VEHICLES
 
 __all__ = ["VehicleStyle", "letter_size", "vehicle_styles"]

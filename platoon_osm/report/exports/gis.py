@@ -12,11 +12,11 @@ from ...atomic_file import whole_file
 from ...network.road_network import ROAD_CLASSES, RoadNetwork
 from ...plans.plan import Plan
 from ...plans.records import Event, Stretch
+from ...shown_text import shown
 from ..document.checks import check_path
 from ..document.findings import moment_of
 from ..document.provenance import credits, proof_text
 from ..markup.quantities import cost_unit
-from ..markup.shown_text import shown
 from .legs import leg_columns, leg_rows, roads_of
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
         ("network", _network(net), "LineString"),
         ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
     ]
-    with whole_file(path, suffix=".gpkg") as draft:
+    with whole_file(path, suffixes=(".gpkg",)) as draft:
         for name, frame, kind in layers:
             try:
                 pyogrio.write_dataframe(

@@ -7,9 +7,9 @@ from dataclasses import dataclass, fields
 
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
+from ...shown_text import shown
 from ..document.checks import check_plan
 from ..document.provenance import credits
-from ..markup.shown_text import shown
 
 __all__ = ["Cell", "LegRow", "leg_columns", "leg_rows", "roads_of"]
 

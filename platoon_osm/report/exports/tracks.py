@@ -12,17 +12,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ...atomic_file import whole_file
+from ...atomic_file import all_or_none, whole_file
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.records import PlatoonPoint, Stop
 from ...plans.timetable import VehicleTimes
 from ...plans.vehicles import VehiclePlan
+from ...shown_text import shown
 from ..document.checks import check_path, check_plan
 from ..document.provenance import credits
-from ..drawing.vehicle_styles import vehicle_styles
 from ..markup.quantities import kilometres
-from ..markup.shown_text import shown
+from .file_names import file_stems
 from .legs import Cell, leg_columns, leg_rows
 
 __all__ = ["write_csv", "write_gpx"]
@@ -41,7 +41,8 @@ def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> l
     Each holds the start, the merge, the separation and the destination as waypoints, and the
     joint route as one track with a segment for each leg. Times are in UTC, as GPX wants them, so
     they are there if those of the plan have a zone; else a line of the description says that they
-    are left out. Files are named by the letters of the report: `vehicle-A.gpx`.
+    are left out. Files are named as the vehicles are, as far as every system takes it: "Torino" is
+    in `torino.gpx`. All appear, or none.
 
     Parameters
     ----------
@@ -65,15 +66,16 @@ def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> l
     folder = check_path(folder)
     check_plan(plan, net)
     ElementTree.register_namespace("", GPX)
-    styles = vehicle_styles([vehicle.vehicle for vehicle in plan.vehicles])
+    stems = file_stems([vehicle.vehicle for vehicle in plan.vehicles])
     written: list[Path] = []
-    for vehicle, style, times in zip(plan.vehicles, styles, plan.times, strict=True):
-        path = folder / f"vehicle-{style.letter}.gpx"
-        tree = ElementTree.ElementTree(_gpx(plan, net, vehicle, times))
-        ElementTree.indent(tree, "")
-        with whole_file(path, suffix=".gpx") as draft:
-            tree.write(draft, encoding="utf-8", xml_declaration=True)
-        written.append(path)
+    with all_or_none():
+        for vehicle, stem, times in zip(plan.vehicles, stems, plan.times, strict=True):
+            path = folder / f"{stem}.gpx"
+            tree = ElementTree.ElementTree(_gpx(plan, net, vehicle, times))
+            ElementTree.indent(tree, "")
+            with whole_file(path, suffixes=(".gpx",)) as draft:
+                tree.write(draft, encoding="utf-8", xml_declaration=True)
+            written.append(path)
     return written
 
 
@@ -184,7 +186,7 @@ def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> Non
     path = check_path(path)
     columns = leg_columns(plan, leg_rows(plan, net))
     with (
-        whole_file(path, suffix=".csv") as draft,
+        whole_file(path, suffixes=(".csv",)) as draft,
         draft.open("w", encoding="utf-8", newline="") as handle,
     ):
         writer = csv.writer(handle, lineterminator="\n")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...plans.clock import whole_minutes
-from .shown_text import shortened, shown
+from ...shown_text import shortened, shown
 
 __all__ = [
     "MINUS",

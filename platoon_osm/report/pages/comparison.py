@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
+from ...output_paths import PAGES
 from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.model import Document
@@ -60,7 +61,7 @@ def write_comparison(
     """
     path = check_path(path)
     page = _page(comparison_of(plans, net, titles=titles, title=title))
-    with whole_file(path) as draft:
+    with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(page, encoding="utf-8", newline="\n")
 
 

@@ -7,6 +7,7 @@ import os
 
 from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
+from ...output_paths import PAGES
 from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.flows import FlowDocument, Histogram, flow_document_of
@@ -56,7 +57,7 @@ def write_flows(
     """
     path = check_path(path)
     page = _page(flow_document_of(plan, net, title=title))
-    with whole_file(path) as draft:
+    with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(page, encoding="utf-8", newline="\n")
 
 

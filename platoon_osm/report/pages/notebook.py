@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from ...plans.plan import Plan
+from ...shown_text import fitted
 from ..document.checks import check_is_plan
 from ..document.vehicles import ROLES
 from ..markup.fragments import Piece, written
 from ..markup.quantities import cost_unit, kilometres, percent, signed
-from ..markup.shown_text import fitted
 
 __all__ = ["plan_table"]
 

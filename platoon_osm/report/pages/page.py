@@ -11,6 +11,7 @@ from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError, brief
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
+from ...output_paths import PAGES
 from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.document import document_of
@@ -66,7 +67,7 @@ def write_html(
     path = check_path(path)
     made = plan_map(plan, net, title=title, tiles=tiles, leaflet_dir=leaflet_dir, weights=weights)
     text = made.get_root().render()
-    with whole_file(path) as draft:
+    with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")
 
 

@@ -1,0 +1,81 @@
+"""Folders that must not outlive the work they were made for, wherever it is interrupted.
+
+Each is noted before it is made, so that an interrupt between two lines of Python loses none; what
+is still noted when the process ends is removed then.
+"""
+
+from __future__ import annotations
+
+import atexit
+import os
+import shutil
+from contextlib import suppress
+from pathlib import Path
+
+__all__ = ["forget", "make_folder", "remove", "remove_all"]
+
+_noted: dict[Path, int] = {}
+"""Folders, with the process that made them: one that was forked must not tidy up for another."""
+
+DRAFT = ".draft-"
+
+
+def make_folder(folder: Path, mode: int = 0o777) -> None:
+    """Make a folder, and note it.
+
+    Parameters
+    ----------
+    folder : Path
+        One that does not exist, in one that does.
+    mode : int
+        Its rights, as `os.mkdir` takes them.
+
+    Raises
+    ------
+    OSError
+        It cannot be made.
+    """
+    _noted[folder] = os.getpid()
+    try:
+        folder.mkdir(mode)
+    except OSError:
+        forget(folder)  # whatever is there is somebody else's
+        raise
+
+
+def forget(folder: Path) -> None:
+    """Let a folder be: it belongs to what was to be made.
+
+    Parameters
+    ----------
+    folder : Path
+        One that was noted, or not.
+    """
+    _noted.pop(folder, None)
+
+
+def remove(folder: Path) -> None:
+    """Remove a folder that was noted: a draft's with all it holds, any other if it is empty.
+
+    Parameters
+    ----------
+    folder : Path
+        One that was noted; others are left alone.
+    """
+    if _noted.get(folder) != os.getpid():
+        return
+    if folder.name.startswith(DRAFT):
+        shutil.rmtree(folder, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            folder.rmdir()
+    forget(folder)
+
+
+def remove_all() -> None:
+    """Remove all folders that are still noted, inner ones first."""
+    for folder in sorted(_noted, key=lambda path: len(path.parts), reverse=True):
+        remove(folder)
+
+
+atexit.register(remove_all)
