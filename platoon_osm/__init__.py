@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .planning.cases import plan_members
     from .planning.joint import plan_joint, solve
     from .planning.problem import Problem
+    from .planning.scenario.trip_tables import read_trips
     from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
     from .plans.vehicles import VehiclePlan
@@ -64,6 +65,7 @@ _WHERE = {
     "JointPlan": "plans.plan",
     "Plan": "plans.plan",
     "Problem": "planning.problem",
+    "read_trips": "planning.scenario.trip_tables",
     "Proof": "plans.proof",
     "Searches": "search.searches",
     "VehiclePlan": "plans.vehicles",
@@ -119,6 +121,7 @@ __all__ = [
     "paper_weights",
     "plan_joint",
     "plan_members",
+    "read_trips",
     "run_study",
     "solve",
     "to_geodataframe",

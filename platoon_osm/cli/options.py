@@ -14,8 +14,10 @@ from ..errors import ScenarioError
 __all__ = [
     "FILE",
     "FOLDER",
+    "LIMITER",
     "SectionOption",
     "Sections",
+    "classes_of",
     "classes_option",
     "network_options",
     "new_file",
@@ -30,6 +32,10 @@ FILE = click.Path(path_type=Path)
 FOLDER = click.Path(file_okay=False, path_type=Path)
 """A folder, which may be there already."""
 FOLDER.name = "folder"
+
+
+LIMITER = ("--limiter-kmh", "--limiter", "limiter_kmh")
+"""Names of one option; the longer is the key of scenarios."""
 
 
 def new_file(text: str) -> Path:
@@ -58,7 +64,24 @@ def new_file(text: str) -> Path:
     return path
 
 
-def _classes(text: str) -> tuple[str, ...]:
+def classes_of(text: str) -> tuple[str, ...]:
+    """Read a list of highway values.
+
+    Parameters
+    ----------
+    text : str
+        What was typed, with commas.
+
+    Returns
+    -------
+    tuple of str
+        The values.
+
+    Raises
+    ------
+    ScenarioError
+        There are none.
+    """
     classes = tuple(part.strip() for part in text.split(",") if part.strip())
     if not classes:
         raise ScenarioError("--classes: empty; give highway values such as motorway,motorway_link")
@@ -70,15 +93,13 @@ output_option = partial(
 )
 classes_option = click.option(
     "--classes",
-    type=_classes,
+    type=classes_of,
     default="motorway,motorway_link",
     metavar="TEXT",
     help="Highway values to load, with commas.",
 )
 _country = click.option("--country", help="Whose truck speed limit applies: IT, de, US-CA, ...")
-_limiter = click.option(
-    "--limiter", "limiter_kmh", default=90.0, help="Speed limiter of the trucks [km/h]."
-)
+_limiter = click.option(*LIMITER, default=90.0, help="Speed limiter of the trucks [km/h].")
 _infer_links = click.option(
     "--infer-links",
     is_flag=True,

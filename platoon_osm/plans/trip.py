@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+import numpy as np
+
 from ..errors import NetworkError, ScenarioError, brief
 from ..network.location import PlaceLike, plain_place
 
@@ -14,6 +16,9 @@ __all__ = ["TIMES", "Trip", "check_one_clock"]
 
 FIRST_YEAR, LAST_YEAR = 1900, 9000
 """Beyond these, sums of times may run out of the calendar."""
+
+LONGEST_MIN = 366 * 24 * 60
+"""A trip that may take longer by a year names its time in another unit by mistake."""
 
 TIMES = ("earliest_departure", "latest_departure", "latest_arrival")
 
@@ -33,6 +38,9 @@ class Trip:
         `Place` with an OpenStreetMap id or a label. They are looked for on the network of the plan.
     earliest_departure, latest_departure, latest_arrival : datetime or None
         When. In one plan all have a time zone or none has.
+    flexibility_min : float or None
+        How much longer than alone it may take [min]: the latest arrival is the earliest departure,
+        the driving time alone and this. Instead of `latest_arrival`.
 
     Raises
     ------
@@ -46,6 +54,7 @@ class Trip:
     earliest_departure: datetime | None = None
     latest_departure: datetime | None = None
     latest_arrival: datetime | None = None
+    flexibility_min: float | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.vehicle, str) or not self.vehicle.strip():
@@ -55,6 +64,7 @@ class Trip:
         for end in ("origin", "destination"):
             object.__setattr__(self, end, _place(self.vehicle, end, getattr(self, end)))
         self._check_times()
+        self._check_flexibility()
 
     @property
     def times(self) -> dict[str, datetime]:
@@ -86,6 +96,23 @@ class Trip:
                     f"{where}: {name} {last.isoformat()} is not after earliest_departure "
                     f"{first.isoformat()}; give a later {name}"
                 )
+
+    def _check_flexibility(self) -> None:
+        if self.flexibility_min is None:
+            return
+        where, minutes = f"trip {self.vehicle!r}: flexibility_min", self.flexibility_min
+        is_real = isinstance(minutes, int | float | np.integer | np.floating)
+        if not is_real or isinstance(minutes, bool) or not 0 <= minutes <= LONGEST_MIN:
+            raise ScenarioError(
+                f"{where} {brief(minutes)} must be a number of minutes from 0 to {LONGEST_MIN}"
+            )
+        if self.earliest_departure is None:
+            raise ScenarioError(f"{where} counts from earliest_departure; give that too")
+        if self.latest_arrival is not None:
+            raise ScenarioError(
+                f"{where} and latest_arrival both say when it must be there; give one of them"
+            )
+        object.__setattr__(self, "flexibility_min", float(minutes))
 
 
 def _place(vehicle: str, end: str, value: Any) -> PlaceLike:

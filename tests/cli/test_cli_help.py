@@ -15,7 +15,7 @@ from platoon_osm.sources.readers import READERS
 
 def test_the_verbs_there_are():
     assert set(VERBS) == {
-        "demo", "maps", "prepare", "download", "plan", "study", "compare", "warmup",
+        "demo", "maps", "prepare", "download", "scenario", "plan", "study", "compare", "warmup",
     }  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from command_line import command, refused, scenario
     [
         (["fly"], "invalid choice"),
         ([], "required"),
-        (["plan"], "required"),
+        (["plan"], "SCENARIO is required, or --trips with --network"),
         (["prepare", "italy-motorways"], "-o"),
         (["maps", "italy-motorways", "--limiter", "fast"], "--limiter"),
         (["maps", "italy-motorways", "--limiter", "-5"], "limiter_kmh -5"),

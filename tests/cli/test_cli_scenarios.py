@@ -88,7 +88,7 @@ CSV = 'network = "{network}"\ncase = "C"\ntrips = "trips.csv"\n'
         ("vehicle,origin,destination\nA,Torino\n", "trips.csv line 2"),
         ("vehicle,origin,destination\nA,Torino,\n", "trips.csv line 2"),
         ("vehicle,origin,destination\nA,Torino,Nowhere at all\n", "no junction or town"),
-        ("vehicle;origin;destination\nA;Torino;Genova\n", "trips.csv"),
+        ("vehicle;origin;destination\nA;Torino;Nowhere at all\n", "no junction or town"),
         ("", "no rows"),
         ('vehicle,origin,destination\nA,"Torino,Genova\n', "trips.csv"),
     ],
@@ -100,14 +100,14 @@ def test_bad_trip_tables(capsys, table, said):
 
 def test_missing_scenario_and_missing_table(capsys):
     refused(capsys, ["plan", "gone.toml", *OUTPUTS], "gone.toml: cannot be read")
-    refused(capsys, ["plan", scenario(CSV), *OUTPUTS], "trips.csv cannot be read")
+    refused(capsys, ["plan", scenario(CSV), *OUTPUTS], "trips.csv: cannot be read")
 
 
 def test_a_scenario_that_is_a_folder_or_no_text(capsys):
     Path("dir.toml").mkdir()
     refused(capsys, ["plan", "dir.toml"], "dir.toml: cannot be read")
     Path("bytes.toml").write_bytes(b"\xff\xfe\x00")
-    refused(capsys, ["plan", "bytes.toml"], "bytes.toml: not a TOML file")
+    refused(capsys, ["plan", "bytes.toml"], "bytes.toml: begins as UTF-16 text and breaks off")
 
 
 def test_control_characters_of_a_map_do_not_reach_the_terminal(capsys):

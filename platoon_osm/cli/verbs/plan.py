@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import click
 
 from ...costs.fuel import FUEL_SAVINGS
 from ...costs.presets import PRESETS
 from ...report.exporters import EXPORTERS, Exporter
+from ..asked import asked_options, asked_scenario
 from ..options import FILE, FOLDER, SectionOption, Sections, new_file
 from ..progress import steps
 
@@ -47,30 +48,31 @@ def _output(number: int, exporter: Exporter) -> click.Option:
 @click.command(
     "plan",
     cls=_WithExporters,
-    short_help="plan a scenario (TOML) and write its map and tables",
+    short_help="plan a scenario or a table of trips, write map and tables",
     epilog="""\b
 Examples:
   platoon-osm plan corridor.toml --html plan.html --gpkg plan.gpkg
+  platoon-osm plan --network italy-motorways --trips trips.csv --case C
   platoon-osm plan corridor.toml --case best --json plan.json
 """,
 )
-@click.argument("scenario", type=FILE)
-@click.option("--case", help="A, B, C, D or best, instead of the scenario's.")
-def verb(scenario: Path, case: str | None, **paths: Path | None) -> None:
+@click.argument("scenario", type=FILE, required=False)
+@asked_options
+def verb(scenario: Path | None, **given: Any) -> None:
     """Plan SCENARIO, print who joins whom and what each saves, and write what is asked for.
 
-    SCENARIO is a TOML file such as those in examples/.
+    SCENARIO is a TOML file, such as `platoon-osm scenario --example` prints. Options come before
+    what it says; with --trips and --network there need be none.
     """
-    from ...planning.scenario import read_scenario
     from ...sources.load import load_network
 
-    asked = read_scenario(scenario)
-    if case:
-        asked = replace(asked, options={**asked.options, "case": case})
+    if scenario is None and given["trips"] is None:
+        raise click.UsageError("SCENARIO is required, or --trips with --network")
+    asked = asked_scenario(scenario, given)
     outputs = [
         (exporter, path)
         for number, exporter in enumerate(EXPORTERS.values())
-        if (path := paths.get(f"output_{number}"))
+        if (path := given.get(f"output_{number}"))
     ]
     with steps(2 + len(outputs)) as begin:
         begin(f"loading {asked.network['source']}")

@@ -37,6 +37,7 @@ from ...plans.clock import Clock, late_by
 from ...plans.plan import Plan
 from ...plans.timetable import Timetable, VehicleTimes
 from ...plans.trip import TIMES, Trip, check_one_clock
+from .flexibility import with_latest_arrivals
 from .pieces import Pieces, pieces_of
 
 __all__ = ["ROUTES_GIVEN", "schedule", "with_times"]
@@ -118,7 +119,10 @@ def schedule(plan: Plan, trips: Sequence[Trip]) -> Timetable | None:
         if vehicle.vehicle not in known:
             raise ScenarioError(f"schedule: vehicle {vehicle.vehicle!r} has no trip; give it one")
     clock = Clock.at(min(named))
-    windows = [_window(known[vehicle.vehicle], clock) for vehicle in plan.vehicles]
+    asked = with_latest_arrivals(
+        [known[trip.vehicle] for trip in plan.trips], [trip.alone.time_s for trip in plan.trips]
+    )
+    windows = [_window(trip, clock) for trip in asked]
     pieces = pieces_of(plan.stretches, plan.ways)
     starts = _starts(pieces, windows)
     # Seconds count from the whole second at or before the first departure.

@@ -1,0 +1,134 @@
+"""What to plan, as it is typed: a scenario, a table of trips, and options that come before both."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ..errors import ScenarioError, brief
+from .options import FILE, LIMITER, SectionOption, classes_of
+
+if TYPE_CHECKING:
+    from ..planning.scenario.record import Scenario
+
+__all__ = ["asked_options", "asked_scenario"]
+
+Run = TypeVar("Run", bound=Callable[..., Any])
+
+WHAT = "What to plan (before the scenario's)"
+WHERE = "On which network (before the scenario's)"
+
+NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
+OPTION_KEYS = ("case", "master", "objective", "method")
+
+
+def asked_options(verb: Run) -> Run:
+    """Add the options that say what to plan to a verb, which hands them to `asked_scenario`.
+
+    Parameters
+    ----------
+    verb : callable
+        What the verb does.
+
+    Returns
+    -------
+    callable
+        The same, with the options.
+    """
+    options = (
+        _option(WHAT, "--trips", type=FILE, help="Table of trips: .csv, .xlsx or .gpkg."),
+        _option(WHAT, "--sheet", help="Sheet or layer of that table; else the first."),
+        _option(WHAT, "--case", help="A, B, C, D or best."),
+        _option(WHAT, "--master", help="Vehicle that keeps its route."),
+        _option(WHAT, "--objective", help="Whose cost is least: member or system."),
+        _option(WHAT, "--method", help="dijkstra (exact) or astar (the paper's)."),
+        _option(WHAT, "--preset", help="Costs by name; those there are stand below."),
+        _option(
+            WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
+            help="A parameter of the costs, as tau=0.5; as often as needed.",
+        ),
+        _option(WHERE, "--network", help="A bundled map's name or a file."),
+        _option(WHERE, "--classes", type=classes_of, help="Highway values to load, with commas."),
+        _option(WHERE, "--country", help="Whose truck speed limit applies: IT, de, US-CA, ..."),
+        _option(WHERE, *LIMITER, type=float, help="Speed limiter of the trucks [km/h]."),
+        _option(
+            WHERE, "--infer-links", is_flag=True, default=None,
+            help="Add likely connectors where the map lacks ramps; they are marked inferred.",
+        ),
+    )  # fmt: skip
+    for add in reversed(options):
+        verb = add(verb)
+    return verb
+
+
+def _option(section: str, *names: str, **more: Any) -> Callable[[Run], Run]:
+    if "type" in more and "metavar" not in more:
+        more["metavar"] = {FILE: "FILE", float: "NUMBER"}.get(more["type"], "TEXT")
+    return click.option(*names, cls=SectionOption, section=section, **more)
+
+
+def asked_scenario(scenario: Path | None, given: dict[str, Any]) -> Scenario:
+    """Return what to plan, and take the options that say so from those given.
+
+    Parameters
+    ----------
+    scenario : Path or None
+        A TOML file.
+    given : dict
+        All options of the verb; those of `asked_options` are taken out.
+
+    Returns
+    -------
+    Scenario
+        The scenario with the options before its own values, or one made of the options.
+
+    Raises
+    ------
+    ScenarioError
+        Neither a scenario nor trips with a network, or a value that is none.
+    """
+    from ..planning.scenario.changes import changed
+    from ..planning.scenario.reading import read_scenario
+
+    table, sheet, preset = (given.pop(name) for name in ("trips", "sheet", "preset"))
+    if sheet is not None and table is None:
+        raise ScenarioError("--sheet names a sheet of --trips; give that too")
+    network = _named({"source": given.pop("network")} | _taken(given, NETWORK_KEYS))
+    options = _named(_taken(given, OPTION_KEYS))
+    costs = _costs(given.pop("costs"))
+    read = None if scenario is None else read_scenario(scenario, table, sheet)
+    return changed(
+        read, table, sheet, network=network, options=options, preset=preset, costs=costs
+    )  # fmt: skip
+
+
+def _taken(given: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
+    return {name: given.pop(name) for name in names}
+
+
+def _named(given: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def _costs(typed: tuple[str, ...]) -> dict[str, Any]:
+    costs: dict[str, Any] = {}
+    for text in typed:
+        name, is_told, value = text.partition("=")
+        if not (is_told and name.strip() and value.strip()):
+            raise ScenarioError(f"--cost {brief(text)}: write a name and a value, as tau=0.5")
+        if name.strip() in costs:
+            raise ScenarioError(f"--cost {name.strip()} is given twice; give it once")
+        costs[name.strip()] = _value(value.strip())
+    return costs
+
+
+def _value(text: str) -> Any:
+    """Return a value as TOML would read it; what is none of TOML is a text without its quotes."""
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except ValueError:
+        return text

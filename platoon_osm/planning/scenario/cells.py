@@ -1,0 +1,161 @@
+"""Cells of tables, brought into the form that trips have in TOML.
+
+A table names a place in one cell, "Torino" or "7.69, 45.07", or in several: origin_lon and
+origin_lat, or origin_osmid, each with origin_label.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from datetime import date, datetime, time
+from typing import Any
+
+from ...errors import ScenarioError, brief
+from ...plans.trip import TIMES
+from .keys import FLEXIBILITY, PLACES
+
+__all__ = ["COLUMNS", "PARTS", "column_named", "is_blank", "row_of"]
+
+PARTS = ("lon", "lat", "osmid", "label")
+COLUMNS = (
+    "vehicle", *PLACES, *TIMES, FLEXIBILITY,
+    *(f"{end}_{part}" for end in PLACES for part in PARTS),
+)  # fmt: skip
+"""Columns there are; vehicle and both places must be given."""
+
+NUMBER = re.compile(r"[+-]?\d+([.,]\d*)?([eE][+-]?\d+)?")
+
+
+def column_named(title: Any) -> str:
+    """Return the column that a title means.
+
+    Parameters
+    ----------
+    title : Any
+        A cell of the header: "Earliest Departure ".
+
+    Returns
+    -------
+    str
+        In lower case and with underscores: "earliest_departure".
+    """
+    text = "" if title is None else str(title)
+    return re.sub(r"[\s_-]+", "_", text.replace("\ufeff", "").strip().strip('"').strip()).lower()
+
+
+def is_blank(cell: Any) -> bool:
+    """Tell whether a cell holds nothing.
+
+    Parameters
+    ----------
+    cell : Any
+        What a table holds.
+
+    Returns
+    -------
+    bool
+        True for nothing, and for text of blanks alone.
+    """
+    return cell is None or (isinstance(cell, str) and not cell.strip())
+
+
+def row_of(where: str, cells: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a row of a table as a trip of TOML has it.
+
+    Parameters
+    ----------
+    where : str
+        The row, for messages: "trips.csv line 3".
+    cells : mapping
+        Its cells by `COLUMNS`; blank ones may be missing.
+
+    Returns
+    -------
+    dict
+        By the keys of trips.
+
+    Raises
+    ------
+    ScenarioError
+        A place that is missing or told twice, or a cell that is no number.
+    """
+    given = {key: cell for key, cell in cells.items() if not is_blank(cell)}
+    if "vehicle" not in given:
+        raise ScenarioError(f"{where}: vehicle is empty; every trip has the name of its vehicle")
+    row: dict[str, Any] = {"vehicle": _text(f"{where}: vehicle", given["vehicle"])}
+    for end in PLACES:
+        row[end] = _place(where, end, given)
+    row |= {key: given[key] for key in TIMES if key in given}
+    if FLEXIBILITY in given:
+        row[FLEXIBILITY] = _number(f"{where}: {FLEXIBILITY}", given[FLEXIBILITY], "minutes")
+    return row
+
+
+def _place(where: str, end: str, given: Mapping[str, Any]) -> Any:
+    lon, lat, osmid, label = (given.get(f"{end}_{part}") for part in PARTS)
+    ways = [
+        name
+        for name, cell in (
+            (end, given.get(end)),
+            (f"{end}_lon", lat if lon is None else lon),
+            (f"{end}_osmid", osmid),
+        )
+        if cell is not None
+    ]
+    if len(ways) > 1:
+        raise ScenarioError(
+            f"{where}: {' and '.join(ways)} both say where it is; keep one, and {end}_label for a "
+            "name of your own"
+        )
+    if not ways:
+        raise ScenarioError(f"{where}: {end} is empty; give a name or lon, lat")
+    at: dict[str, Any]
+    if osmid is not None:
+        at = {"osmid": _whole(f"{where}: {end}_osmid", osmid)}
+    elif end in given:
+        cell = given[end]
+        # A pair comes from geometry, all else is text.
+        at = {"at": cell if isinstance(cell, tuple) else _text(f"{where}: {end}", cell)}
+    else:
+        if lon is None or lat is None:
+            missing = f"{end}_lon" if lon is None else f"{end}_lat"
+            raise ScenarioError(f"{where}: {missing} is empty; give longitude and latitude")
+        at = {
+            "at": (
+                _number(f"{where}: {end}_lon", lon, "degrees"),
+                _number(f"{where}: {end}_lat", lat, "degrees"),
+            )
+        }
+    if label is not None:
+        return {**at, "label": _text(f"{where}: {end}_label", label)}
+    return at.get("at", at)
+
+
+def _text(where: str, cell: Any) -> str:
+    """Return a cell as the text that its reader sees; 12.0 is shown as 12."""
+    if isinstance(cell, bool | date | datetime | time):
+        raise ScenarioError(
+            f"{where} = {cell} is no text; format the column as text in the spreadsheet"
+        )
+    if isinstance(cell, float) and cell.is_integer():
+        cell = int(cell)
+    return str(cell).strip()
+
+
+def _number(where: str, cell: Any, unit: str) -> float:
+    if isinstance(cell, int | float) and not isinstance(cell, bool):
+        return float(cell)
+    text = cell.strip().replace("\u2212", "-") if isinstance(cell, str) else ""
+    if not NUMBER.fullmatch(text):
+        raise ScenarioError(f"{where} = {brief(cell)} must be a number of {unit}")
+    return float(text.replace(",", "."))
+
+
+def _whole(where: str, cell: Any) -> int:
+    if isinstance(cell, str) and re.fullmatch(r"\d{1,19}", cell.strip()):
+        return int(cell)
+    number = cell if isinstance(cell, int | float) and not isinstance(cell, bool) else 0.5
+    if number != int(number):
+        raise ScenarioError(f"{where} = {brief(cell)} must be a whole number")
+    return int(number)

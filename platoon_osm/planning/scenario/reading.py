@@ -1,0 +1,109 @@
+"""Scenarios from TOML."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from ...costs.presets import DEFAULT_PRESET, PRESETS
+from ...errors import ScenarioError
+from ...plans.trip import Trip, check_one_clock
+from .keys import known, text_of, told
+from .network_table import beside, network_of
+from .record import Scenario
+from .text_file import path_of
+from .toml_file import read_toml
+from .trip_rows import trip_of
+from .trip_tables import read_trips
+
+__all__ = ["OPTION_KEYS", "read_scenario"]
+
+OPTION_KEYS = ("case", "objective", "method", "master")
+TOP_KEYS = ("title", "network", *OPTION_KEYS, "costs", "trips")
+TABLE_KEYS = ("file", "sheet")
+
+OTHER_FILES = {
+    **dict.fromkeys(
+        (".csv", ".tsv", ".xlsx", ".xlsm", ".gpkg"),
+        "is a table of trips, not a scenario; give it as --trips, with --network",
+    ),
+    **dict.fromkeys(
+        (".osm", ".pbf", ".graphml", ".platoon"),
+        "is a map, not a scenario; give it as --network, with --trips",
+    ),
+}
+
+
+def read_scenario(
+    path: str | os.PathLike[str],
+    trips: str | os.PathLike[str] | None = None,
+    sheet: str | None = None,
+) -> Scenario:
+    """Read and check a scenario.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A TOML file.
+    trips : str or path-like, optional
+        A table of trips instead of the scenario's own.
+    sheet : str, optional
+        Which sheet or layer of that table.
+
+    Returns
+    -------
+    Scenario
+        What it says; places are not looked for yet.
+
+    Raises
+    ------
+    ScenarioError
+        The file cannot be read, is no TOML, or has a key that is unknown (the nearest one is
+        named), missing or of the wrong kind.
+    """
+    file = path_of(path, "a TOML file")
+    if file.suffix.lower() in OTHER_FILES:
+        raise ScenarioError(f"{file}: {OTHER_FILES[file.suffix.lower()]}")
+    data = read_toml(file)
+    asked = None if trips is None else tuple(read_trips(trips, sheet))
+    with told(file):
+        return _scenario(file, data, asked)
+
+
+def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | None) -> Scenario:
+    known("scenario", data, TOP_KEYS)
+    network = network_of(file.parent, data.get("network"))
+    costs = data.get("costs", {})
+    if not isinstance(costs, dict):
+        raise ScenarioError("costs must be a table, [costs]")
+    preset = PRESETS.find(costs.get("preset", DEFAULT_PRESET))
+    known("[costs]", costs, ("preset", *preset.parameters))
+    return Scenario(
+        file=file,
+        title=text_of("title", data.get("title", file.stem)),
+        network=network,
+        trips=_trips(file, data.get("trips")) if asked is None else asked,
+        options={key: text_of(key, data[key]) for key in OPTION_KEYS if key in data},
+        costs={key: value for key, value in costs.items() if key != "preset"},
+        preset=preset.name,
+    )
+
+
+def _trips(file: Path, data: Any) -> tuple[Trip, ...]:
+    if isinstance(data, str):
+        data = {"file": data}
+    if isinstance(data, dict) and data:
+        known("trips", data, TABLE_KEYS)
+        if "file" not in data:
+            raise ScenarioError('trips has no file; write trips = "trips.csv"')
+        sheet = text_of("trips, sheet", data["sheet"]) if "sheet" in data else None
+        return tuple(read_trips(beside(file.parent, "trips", data["file"]), sheet))
+    if not isinstance(data, list) or not data:
+        raise ScenarioError(
+            'no trips; add [[trips]] with vehicle, origin, destination, or trips = "trips.csv"'
+        )
+    trips = tuple(trip_of(f"trip {number}", row) for number, row in enumerate(data, 1))
+    check_one_clock(trips)
+    return trips

@@ -1,0 +1,149 @@
+"""What a scenario says, once it is read: the network, the trips, the costs, and how to plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from ...costs.objective import Objective
+from ...costs.presets import DEFAULT_PRESET, PRESETS
+from ...costs.weights import EdgeWeights
+from ...errors import PlatoonError
+from ...network.road_network import RoadNetwork
+from ...plans.plan import Plan
+from ...plans.trip import Trip
+from ..ends import located
+from ..joint import plan_joint
+from ..problem import Problem
+from .keys import told
+
+__all__ = ["Scenario"]
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """What to plan on which network.
+
+    Attributes
+    ----------
+    file : Path
+        Where it was read; of a scenario that has no file of its own, its table of trips.
+    title : str
+        Heads its pages.
+    network : mapping
+        Keyword arguments of `load_network`.
+    trips : tuple of Trip
+        Who goes where, places as they are written.
+    options : mapping
+        Keyword arguments of `plan_joint`.
+    costs : mapping
+        Parameters of the costs.
+    preset : str
+        Name of the costs in `PRESETS`.
+    """
+
+    file: Path
+    title: str
+    network: Mapping[str, Any]
+    trips: tuple[Trip, ...]
+    options: Mapping[str, Any] = field(default_factory=dict)
+    costs: Mapping[str, Any] = field(default_factory=dict)
+    preset: str = DEFAULT_PRESET
+
+    def objective(self) -> Objective:
+        """Return the costs the scenario asks for.
+
+        Returns
+        -------
+        Objective
+            Of the preset it names, with its parameters.
+
+        Raises
+        ------
+        ScenarioError
+            A parameter out of range, with the file.
+        """
+        with told(self.file):
+            return PRESETS.find(self.preset).objective(self.costs)
+
+    def weights(self, net: RoadNetwork) -> EdgeWeights:
+        """Return the weights the scenario asks for.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        EdgeWeights
+            Those of its objective.
+        """
+        return self.objective().weights(net)
+
+    def located(self, net: RoadNetwork) -> list[Trip]:
+        """Return the trips with their places found on a network.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        list of Trip
+            Places are locations.
+
+        Raises
+        ------
+        ScenarioError
+            A place that is not there, with the file.
+        """
+        with told(self.file, PlatoonError):
+            return [
+                replace(trip, origin=origin, destination=destination)
+                for trip, (origin, destination) in zip(
+                    self.trips, located(net, self.trips), strict=True
+                )
+            ]
+
+    def plan(self, net: RoadNetwork) -> Plan:
+        """Plan the scenario on a network.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        Plan
+            As `plan_joint` makes it.
+
+        Raises
+        ------
+        PlatoonError
+            Anything that cannot be planned.
+        """
+        trips, objective = self.located(net), self.objective()
+        with told(self.file):
+            return plan_joint(net, objective, trips, **self.options)
+
+    def check(self) -> None:
+        """Check all that can be checked without the network: costs, options, who is named.
+
+        Raises
+        ------
+        ScenarioError
+            Anything that `plan` would refuse on any network, with the file.
+        """
+        with told(self.file, PlatoonError):
+            options = {
+                "optimum" if key == "objective" else key: value
+                for key, value in self.options.items()
+            }
+            # What is asked is checked where a problem is made; the least network there can be.
+            road = RoadNetwork.from_edges([0], [1], lon=[0.0, 0.1], lat=[0.0, 0.0])
+            Problem(road, self.trips, self.objective(), **options)

@@ -1,0 +1,101 @@
+"""Trips from a table: CSV, a sheet of a workbook, or a layer of a GeoPackage."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from ...errors import PlatoonError, ScenarioError, brief
+from ...plans.trip import Trip, check_one_clock
+from .cells import row_of
+from .csv_table import read_csv
+from .geopackage_table import read_geopackage
+from .rows import Row
+from .text_file import beginning_of, kind_by_content, path_of
+from .trip_rows import trip_of
+from .xlsx_table import read_xlsx
+
+__all__ = ["TABLE_SUFFIXES", "read_trips"]
+
+A_TABLE = "a table of trips (.csv, .xlsx, .gpkg)"
+TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".xlsx", ".xlsm", ".gpkg")
+
+OTHER_FILES = {
+    ".toml": "is a scenario, not a table of trips; give it to plan as SCENARIO",
+    ".xls": "is a workbook of old Excel; save it as .xlsx or CSV UTF-8",
+    ".ods": "is an OpenDocument sheet; save it as .xlsx or CSV UTF-8",
+    ".numbers": "is a sheet of Numbers; export it as .xlsx or CSV",
+}
+
+
+def read_trips(path: str | os.PathLike[str], sheet: str | None = None) -> list[Trip]:
+    """Read trips from a table.
+
+    Columns are vehicle, origin and destination, and if wanted earliest_departure,
+    latest_departure, latest_arrival and flexibility_min. A place is a name or "lon, lat", or stands
+    in origin_lon and origin_lat, or in origin_osmid; origin_label gives it a name of its own. In a
+    GeoPackage points are origins, and lines run from origin to destination.
+
+    Parameters
+    ----------
+    path : str or path-like
+        CSV with commas, semicolons or tabs, in UTF-8 or UTF-16; a workbook (.xlsx); a GeoPackage.
+    sheet : str, optional
+        Sheet of the workbook or layer of the GeoPackage; by default the first sheet, or the only
+        layer.
+
+    Returns
+    -------
+    list of Trip
+        In the order of the table; places are not looked for yet.
+
+    Raises
+    ------
+    ScenarioError
+        The file cannot be read, or has a column or cell that is none; with line and remedy.
+    """
+    file = path_of(path, A_TABLE)
+    if sheet is not None and not (isinstance(sheet, str) and sheet.strip()):
+        raise ScenarioError(f"sheet {brief(sheet)} must be the name of a sheet or layer")
+    rows = _rows(file, sheet)
+    if not rows:
+        raise ScenarioError(f"{file}: has no rows under its header; add a trip a row")
+    seen: dict[str, str] = {}
+    trips = []
+    for row in rows:
+        trip = trip_of(row.where, row_of(row.where, row.cells))
+        if trip.vehicle in seen:
+            raise ScenarioError(
+                f"{row.where}: vehicle {brief(trip.vehicle)} has a trip already "
+                f"({seen[trip.vehicle]}); names must differ"
+            )
+        seen[trip.vehicle] = row.where
+        trips.append(trip)
+    try:
+        check_one_clock(trips)
+    except PlatoonError as error:
+        raise ScenarioError(f"{file}: {error}") from error
+    return trips
+
+
+def _rows(file: Path, sheet: str | None) -> list[Row]:
+    """Read the rows of a file by its content, for names may say otherwise."""
+    suffix = file.suffix.lower()
+    found = kind_by_content(beginning_of(file, 64))
+    kind = found[0] if found else ""
+    if kind == "zip" and suffix not in OTHER_FILES:
+        return read_xlsx(file, sheet)
+    if kind == "gpkg":
+        return read_geopackage(file, sheet)
+    if suffix in OTHER_FILES:
+        raise ScenarioError(f"{file}: {OTHER_FILES[suffix]}")
+    if kind == "ole":
+        raise ScenarioError(
+            f"{file}: is a workbook of old Excel, or one with a password; save it as .xlsx without"
+        )
+    if suffix in (".xlsx", ".xlsm", ".gpkg") and not found:
+        what = "a GeoPackage" if suffix == ".gpkg" else "a workbook"
+        raise ScenarioError(f"{file}: is not {what} by its content; save it again")
+    if sheet is not None:
+        raise ScenarioError(f"{file}: has no sheets; leave {sheet!r} out")
+    return read_csv(file)
