@@ -54,6 +54,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "Trip": (po.Trip, {
             "vehicle": "A", "origin": "Torino", "destination": "Trieste",
             "earliest_departure": None, "latest_departure": None, "latest_arrival": None,
+            "flexibility_min": None,
         }),
         "Place": (po.Place, {"at": "Torino", "osmid": None, "label": "home"}),
         "Problem": (po.Problem, {
@@ -101,6 +102,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         }),
         "Study": (po.Study, _defaults(po.Study(runs=1))),
         "run_study": (po.run_study, {"study": po.Study(runs=1), "seed": 0}),
+        "read_trips": (po.read_trips, {"path": folder / "trips.csv", "sheet": None}),
         "Plan.from_dict": (po.Plan.from_dict, {"data": plan.to_dict()}),
         "Plan.read_json": (po.Plan.read_json, {"path": folder / "none.json"}),
         "explore": (po.explore, {**shown, "height": 640}),
@@ -130,7 +132,7 @@ NAMES = (
     "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights", "PaperCosts",
     "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
-    "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html", "write_flows",
+    "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html", "write_flows",
     "write_comparison", "write_csv", "write_gpx", "write_geopackage",
 )  # fmt: skip
 
@@ -171,6 +173,7 @@ def test_every_call_works_as_it_should_be_given(
     calls = _calls(given)
     assert set(calls) == set(NAMES)
     given["plan"].write_json(given["folder"] / "none.json")
+    (given["folder"] / "trips.csv").write_text("vehicle,origin,destination\nA,Torino,Monza\n")
     for name, (call, right) in calls.items():
         places = _places(name)
         call(*right.values(), *places) if places else call(**right)

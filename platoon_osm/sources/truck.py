@@ -62,15 +62,15 @@ class TruckRules:
 
     def __post_init__(self) -> None:
         country, limiter = self.country, self.limiter_kmh
-        if isinstance(country, str):
-            country = country.strip().upper()
-            object.__setattr__(self, "country", country)
-        known = isinstance(country, str) and country in COUNTRY_LIMITS_KMH
+        code = country.strip().upper() if isinstance(country, str) else ""
+        known = code in COUNTRY_LIMITS_KMH
         if country is not None and not known:
             raise ScenarioError(
-                f"country {_shown(self.country)} has no truck limit here; use "
+                f"country {_shown(country)} has no truck limit here; use "
                 f"{', '.join(sorted(COUNTRY_LIMITS_KMH))}"
             )
+        if known:
+            object.__setattr__(self, "country", code)
         # Numpy's numbers are numbers too; True is none.
         is_number = isinstance(limiter, Real) and not isinstance(limiter, bool)
         if not (is_number and SLOWEST_KMH <= limiter <= FASTEST_KMH):

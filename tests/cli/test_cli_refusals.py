@@ -54,7 +54,7 @@ def test_bad_arguments(capsys, arguments, said):
         (["download", "Verona", "-o", "a.graphml", "--cache", "a.file"], "a.file' is a file"),
         (["plan", "gone.toml"], "gone.toml: cannot be read"),
         (["plan", "a.folder"], "a.folder: cannot be read"),
-        (["plan", "gone.toml", "--hmtl", "a.html"], "did you mean --help or --html?"),
+        (["plan", "gone.toml", "--hmtl", "a.html"], "did you mean --help or --html or"),
         (["plan", "gone.toml", "--html"], "'--html' requires an argument"),
         (["plan", "gone.toml", "--gpx", "a.file"], "a.file' is a file"),
         (["plan", "one.toml", "two.toml"], "unexpected extra argument"),

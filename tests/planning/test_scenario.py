@@ -299,5 +299,5 @@ def test_mistakes_found_when_planning_name_the_file(tmp_path, italy, old, new, m
 def test_bundled_scenarios_are_sound(file):
     scenario = read_scenario(file)
     assert scenario.title
-    assert scenario.network == {"source": "italy-motorways"}
+    assert scenario.network["source"] == "italy-motorways"
     assert len(scenario.trips) >= 2

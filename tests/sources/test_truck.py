@@ -256,7 +256,7 @@ def test_all_countries_have_a_plausible_limit():
     ("country", "limiter", "said"),
     [
         ("XX", 90, "country 'XX' has no truck limit here; use AT"),
-        ("it", 90, "country 'it'"),
+        ("ita", 90, "country 'ita'"),
         (["IT"], 90, "country ['IT']"),
         (None, 0, "limiter_kmh 0: a speed limiter lies between 3 and 150 km/h"),
         (None, -90, "limiter_kmh -90"),

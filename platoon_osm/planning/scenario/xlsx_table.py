@@ -49,8 +49,8 @@ def read_xlsx(file: Path, sheet: str | None) -> list[Row]:
         import openpyxl
     except ImportError:
         raise ScenarioError(
-            f'{file}: workbooks need openpyxl; install it with pip install "platoon_osm[xlsx]", or '
-            "save the sheet as CSV UTF-8"
+            f"{file}: workbooks are read with openpyxl; install it (pip install openpyxl), or save "
+            "the sheet as CSV UTF-8"
         ) from None
     _check_size(file)
     with warnings.catch_warnings():
