@@ -132,8 +132,8 @@ NAMES = (
     "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights", "PaperCosts",
     "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
-    "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html", "write_flows",
-    "write_comparison", "write_csv", "write_gpx", "write_geopackage",
+    "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",
+    "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage",
 )  # fmt: skip
 
 
