@@ -14,6 +14,7 @@ from ..network.location import Location, Place, Role
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip
 from ..search.trees import Trees
+from ..sources.spellings import CLASSES, INFER_LINKS
 
 __all__ = ["TripEnds", "located", "resolve_trips"]
 
@@ -149,9 +150,10 @@ def _resolve(
         + np.where(np.equal.outer(starts, ends), np.inf, 0.0)
     )
     if not np.isfinite(total).any():
+        links = "" if net.inferred.any() else f", or add connectors ({INFER_LINKS})"
         raise NoRouteError(
             f"trip {trip.vehicle!r}: no route from {start.name} to {end.name} in "
-            f"{net.source.name}; choose other places, load more roads, or try --infer-links"
+            f"{net.source.name}; choose other places, load more roads ({CLASSES}){links}"
         )
     i, j = np.unravel_index(int(np.argmin(total)), total.shape)
     return TripEnds(

@@ -16,6 +16,7 @@ from ..network.road_network import ROAD_CLASSES, RoadNetwork
 from .catalog import BUNDLED_MAPS, bundled_path
 from .osm.extract import MOTORWAY_CLASSES
 from .readers import reader_of
+from .spellings import CLASSES, COUNTRY, INFER_LINKS
 from .truck import TruckRules
 
 __all__ = ["load_network"]
@@ -138,7 +139,7 @@ def _with_speed_remark(net: RoadNetwork, rules: TruckRules) -> RoadNetwork:
     if rules.country:
         law = f"the truck limit of {rules.country} where the map has no maxspeed:hgv"
     else:
-        law = "no national limit, as no country was given (country=, --country)"
+        law = f"no national limit, as no country was given ({COUNTRY})"
     remark = f"speeds are capped by a limiter of {rules.limiter_kmh:g} km/h and {law}"
     return net.with_report(net.load_report.extended({}, remark))
 
@@ -156,12 +157,12 @@ def _with_connection_remark(net: RoadNetwork) -> RoadNetwork:
     if (net.road_class == ROAD_CLASSES.index("motorway_link")).any():
         remark += (
             "the extract is a small piece of the network. Load a larger one, or more classes of "
-            "road (classes=, --classes)"
+            f"road ({CLASSES})"
         )
     else:
         remark += (
             "the extract seems cut to motorways without their ramps. Load one with "
-            "motorway_link, or add likely connectors with infer_links=True (--infer-links)"
+            f"motorway_link, or add likely connectors ({INFER_LINKS})"
         )
     if remark in net.load_report.remarks:
         return net

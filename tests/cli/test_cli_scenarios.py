@@ -3,7 +3,20 @@
 from pathlib import Path
 
 import pytest
-from command_line import CORRIDOR, OUTPUTS, refused, scenario, trips_between, two_roads
+from command_line import (
+    CORRIDOR,
+    NODE,
+    OUTPUTS,
+    osm,
+    refused,
+    run,
+    scenario,
+    trips_between,
+    two_roads,
+)
+
+import platoon_osm as po
+from platoon_osm.errors import ScenarioError
 
 
 @pytest.mark.parametrize(
@@ -114,3 +127,73 @@ def test_control_characters_of_a_map_do_not_reach_the_terminal(capsys):
     text = CORRIDOR.format(network="italy-motorways").replace('"Belluno"', '"\\u001b[31mred\\nX"')
     Path("bad.toml").write_text(text)
     assert "\x1b" not in refused(capsys, ["plan", "bad.toml"], "red")
+
+
+GAP = {1: (11.0, 45.0), 2: (11.1, 45.0), 3: (11.1008, 45.0), 4: (11.2, 45.0)}
+"""Two pieces of a carriageway 60 m apart, as in extracts cut to motorways."""
+
+
+def gap(name):
+    ways = "".join(
+        f'<way id="{a}"><nd ref="{a}"/><nd ref="{b}"/><tag k="highway" v="motorway"/>'
+        '<tag k="oneway" v="yes"/></way>'
+        for a, b in ((1, 2), (3, 4))
+    )
+    return osm(name, *(NODE.format(key, *at) for key, at in GAP.items()), ways)
+
+
+def test_each_remedy_that_a_message_names_is_there_where_it_was_given(capsys):
+    """No route: the three spellings of one remedy, each tried."""
+    text = trips_between(GAP[1], GAP[4], gap("gap.osm"))
+    Path("s.toml").write_text(text)
+    said = refused(capsys, ["plan", "s.toml"], "no route from")
+    assert "infer_links=True, --infer-links, or infer_links = true below [network]" in said
+    assert run("plan", "s.toml", "--infer-links") == 0
+    changed = text.replace('network = "gap.osm"\n', "")
+    Path("t.toml").write_text(f'{changed}[network]\nsource = "gap.osm"\ninfer_links = true\n')
+    assert run("plan", "t.toml") == 0
+    net = po.load_network("gap.osm", infer_links=True)
+    assert po.plan_joint(net, po.paper_weights(net), [po.Trip("A", GAP[1], GAP[4])]).solo_cost > 0
+
+
+def test_a_remedy_that_was_tried_is_not_named_again():
+    for inferred in (False, True):
+        net = po.RoadNetwork.from_edges(
+            [0, 2], [1, 3], lon=[9.0, 9.1, 9.2, 9.3], lat=[45.0] * 4, inferred=[inferred, False]
+        )
+        with pytest.raises(po.NoRouteError, match="no route from") as error:
+            po.plan_joint(net, po.paper_weights(net), [po.Trip("A", 0, 3)])
+        assert ("infer_links" in str(error.value)) is not inferred
+
+
+@pytest.mark.parametrize(
+    ("options", "key", "value"),
+    [
+        (["--classes", "motorway,trunk"], "classes", ["motorway", "trunk"]),
+        (["--country", "de"], "country", "de"),
+        (["--limiter-kmh", "85"], "limiter_kmh", 85.0),
+        (["--limiter", "85"], "limiter_kmh", 85.0),
+        (["--infer-links"], "infer_links", True),
+    ],
+)
+def test_options_of_the_network_come_before_the_scenario(monkeypatch, options, key, value):
+    from platoon_osm.sources import load
+
+    asked = {}
+
+    def noted(**loading):
+        asked.update(loading)
+        raise ScenarioError("seen")
+
+    monkeypatch.setattr(load, "load_network", noted)
+    Path("s.toml").write_text(
+        trips_between(GAP[1], GAP[4], "n").replace('network = "n"\n', "")
+        + '[network]\nsource = "n"\nclasses = ["motorway"]\nlimiter_kmh = 80\ncountry = "IT"\n'
+    )
+    assert run("plan", "s.toml", *options) == 2
+    own = {"source": "n", "classes": ["motorway"], "limiter_kmh": 80, "country": "IT"}
+    wanted = own | {key: tuple(value) if isinstance(value, list) else value}
+    assert asked == wanted
+    asked.clear()
+    assert run("plan", "s.toml") == 2
+    assert asked == own

@@ -45,7 +45,7 @@ def refused(path, *said):
         ("empty.osm.bz2", b"", "download"),
         ("map.txt", b"hello", "use .osm.pbf, .osm, .osm.gz or .osm.bz2"),
         ("map", xml(row(2), WAY).encode(), ("its content is XML", "rename it to end in .osm")),
-        ("map.OSM", xml(row(2), WAY).encode(), ("its content is XML", "rename it to end in .osm")),
+        ("MAP.OSM.PBF", xml(row(2), WAY).encode(), ("its content is XML", "to end in .osm")),
         ("map.osm.pbf", b"<osm version='0.6'></osm>", "its content is XML"),
         ("map.osm", gzip.compress(b"<osm/>"), ("packed with gzip", "to end in .osm.gz")),
         ("map.osm", bz2.compress(b"<osm/>"), ("packed with bzip2", "to end in .osm.bz2")),
