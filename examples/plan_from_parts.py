@@ -6,10 +6,13 @@ Each part can be used, replaced or looked at by itself. Run it with
 """
 
 import sys
+from dataclasses import replace
 
 import platoon_osm as po
-from platoon_osm.planning.ends import resolve_trips
+from platoon_osm.costs.placed_weights import placed_weights
+from platoon_osm.planning.ends import located, resolve_trips
 from platoon_osm.planning.master import longest_route
+from platoon_osm.planning.places import placed
 from platoon_osm.planning.problem import Problem
 from platoon_osm.planning.routers import DijkstraRouter
 from platoon_osm.planning.star import Star
@@ -22,25 +25,29 @@ from platoon_osm.search.trees import Trees
 
 def plan_from_parts(problem):
     """Return the best plan of cases A, B and C of a problem."""
-    net = problem.net
+    # 1. Where the trips start and end. For a place between two junctions, or beside the road, the
+    #    network is cut and gets a node there.
+    places = placed(problem.net, located(problem.net, problem.trips))
+    net = places.net
+    problem = replace(problem, net=net)
 
-    # 1. What every edge costs, alone and in a platoon: the objective says.
-    weights = problem.objective.weights(net)
+    # 2. What every edge costs, alone and in a platoon: the objective says.
+    weights = placed_weights(problem.objective, net, "plan")
 
-    # 2. One engine for the solo weight, kept with the network, and the searches of this plan, each
+    # 3. One engine for the solo weight, kept with the network, and the searches of this plan, each
     #    of which is made once.
     engine = net.attached(po.Searches).under(weights.solo, expected=20)
     trees = Trees(engine)
 
-    # 3. From places to nodes: of all carriageways and ramps near a place the pair that suits.
-    ends = resolve_trips(net, weights, trees, problem.trips)
+    # 4. From places to nodes: of all carriageways and ramps near a place the pair that suits.
+    ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
 
-    # 4. Routes alone, and the master: the longest of them.
+    # 5. Routes alone, and the master: the longest of them.
     router = DijkstraRouter(trees)
     routes = [router.route(one.origin, one.destination) for one in ends]
     master = longest_route([net.length_m[route].sum() for route in routes])
 
-    # 5. Where members merge with the master and separate from it. The cases share all tables.
+    # 6. Where members merge with the master and separate from it. The cases share all tables.
     star = Star(net, weights, ends, master, router)
     choices = [star.choose(case, problem.optimum) for case in ("A", "B", "C")]
     best = choices[0]
@@ -48,7 +55,7 @@ def plan_from_parts(problem):
         if choice.cost < best.cost * (1 - 1e-9):
             best = choice
 
-    # 6. Write it down: who drives what with whom becomes stretches and ways, each with its shares.
+    # 7. Write it down: who drives what with whom becomes stretches and ways, each with its shares.
     joined = [star.members[k] for k in (best.points.merge_index >= 0).nonzero()[0]]
     alone = set(range(len(ends))) - {master, *joined}
     name = ends[master].vehicle
@@ -63,7 +70,7 @@ def plan_from_parts(problem):
         Proof.of(best.cost, best.bound, conditions),
     )  # fmt: skip
 
-    # 7. When everyone drives, if a trip names a time.
+    # 8. When everyone drives, if a trip names a time.
     return with_times(plan, problem.trips), engine, trees
 
 

@@ -10,9 +10,28 @@ import numpy as np
 
 from ..errors import NetworkError, brief
 
-__all__ = ["Location", "Place", "PlaceLike", "Role", "format_position", "plain_place"]
+__all__ = ["Location", "Place", "PlaceLike", "RoadPoint", "Role", "format_position", "plain_place"]
 
 Role = Literal["origin", "destination", "any"]
+
+
+@dataclass(frozen=True, slots=True)
+class RoadPoint:
+    """A point on an edge.
+
+    Attributes
+    ----------
+    edge : int
+        Edge id.
+    share : float
+        How much of the edge, by length, lies before it; between 0 and 1.
+    distance_m : float
+        From the place to it [m].
+    """
+
+    edge: int
+    share: float
+    distance_m: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +53,14 @@ class Location:
         carriageways and all ramps near the place. A trip takes the pair that suits its direction.
     note : str
         What the text was taken for, where that is more than its own words say; else empty.
+    on_road : tuple of RoadPoint
+        Points of the road that the place lies on, one for each carriageway, nearest first; trips
+        start and end there. Empty for a name or a node, and for a place beside the road.
+    enters : tuple of RoadPoint
+        Of a place beside the road: points between junctions where one gets onto the road.
+    beside_road : bool
+        Whether the place lies beside the road, so that the way to it counts: to one of the
+        `candidates`, or to a point where it `enters`.
     """
 
     node: int
@@ -43,6 +70,9 @@ class Location:
     distance_m: float
     candidates: tuple[tuple[int, float], ...]
     note: str = ""
+    on_road: tuple[RoadPoint, ...] = ()
+    enters: tuple[RoadPoint, ...] = ()
+    beside_road: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""From a point to the roads near it."""
+"""From a point to the roads near it: on the road, or beside it with a way to get there."""
 
 from __future__ import annotations
 
@@ -6,25 +6,56 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import NetworkError
-from .geodesy import distance_m, metres_per_degree
-from .location import Location, Role
-from .road_network import RoadNetwork
+from .access import STANDARD_ACCESS, Access
+from .geodesy import distance_m
+from .location import Location, RoadPoint, Role, format_position
+from .road_network import ROAD_CLASSES, RoadNetwork
+from .road_points import RoadPoints, road_points
 from .usable_nodes import UsableNodes
 
-__all__ = ["MOST_CANDIDATES", "located_at", "road_distance_m"]
+__all__ = ["MOST_CANDIDATES", "is_closed", "located_at"]
+
+Index = NDArray[np.int64]
 
 OTHER_CARRIAGEWAY_M = 1_500.0
 """How much farther than the nearest node another may be to count as a choice of carriageway."""
 
-FARTHEST_ROAD_M = 200_000.0
-"""A place farther than this from any road is not on this map: latitude and longitude exchanged,
-another country, or nought and nought."""
+OTHER_JUNCTION = 1.5
+"""How many times as far as the nearest node another may be to count as a choice of junction."""
+
+NO_JUNCTION_M = 10_000.0
+"""If the nearest junction is farther than the road by more than this, one gets onto the road
+between junctions: by a service area, or a gate that the map does not have."""
+
+FARTHEST_TOWN_KM = 200.0
+"""A town farther than this from any road is not of this map."""
 
 MOST_CANDIDATES = 12
 
+MOST_WAYS = 24
+"""Ways from a place beside the road to the junctions near, at most."""
 
-def located_at(net: RoadNetwork, lon: float, lat: float, role: Role, name: str | None) -> Location:
-    """Find the nodes near a point where a trip may start or end.
+CLOSED_CLASSES = ("motorway", "motorway_link", "trunk", "trunk_link")
+"""Roads that one gets onto at junctions alone; from others there is a gate to every yard."""
+
+CLOSED = tuple(ROAD_CLASSES.index(kind) for kind in CLOSED_CLASSES)
+
+AT_A_NODE = 1e-9
+"""Shares of an edge nearer to its ends than this are its ends."""
+
+TOWN_M = 50_000.0
+"""A town farther away than this is no help to find a place."""
+
+
+def located_at(
+    net: RoadNetwork,
+    lon: float,
+    lat: float,
+    role: Role,
+    name: str | None,
+    access: Access = STANDARD_ACCESS,
+) -> Location:
+    """Find where a trip may start or end that begins at a point, or in a town.
 
     Parameters
     ----------
@@ -33,68 +64,142 @@ def located_at(net: RoadNetwork, lon: float, lat: float, role: Role, name: str |
     lon, lat : float
         The point [deg].
     role : {"origin", "destination", "any"}
-        What the nodes are to be.
+        What the place is to be.
     name : str or None
-        What the place is called; None for the name of the nearest node.
+        What the place is called, if it is a town: then its junctions stand for it, and the way to
+        them does not count. None for a point, which stays where it is.
+    access : Access
+        What counts as on the road, and how far from it a place may be.
 
     Returns
     -------
     Location
-        The nodes of both carriageways near the point, nearest first.
+        With the nodes of both carriageways near the point, nearest first; and where the point lies
+        on the road, or how it gets onto it.
 
     Raises
     ------
     NetworkError
         A network without roads, or a point far from all of them.
     """
-    fits = net.attached(UsableNodes).of(role)
-    usable = np.flatnonzero(fits)
+    nodes = net.attached(UsableNodes)
+    usable = np.flatnonzero(nodes.of(role))
     if not len(usable):
         raise NetworkError(
             f"place ({lon}, {lat}): {net.source.name} has no road to start or end on"
         )
+    roads = road_points(net, nodes.edges(role), lon, lat)
+    road_m = float(roads.away_m.min())
+    limit_km = access.limit_km if name is None else FARTHEST_TOWN_KM
+    if road_m > limit_km * 1000:
+        _refuse(net, lon, lat, road_m, limit_km)
     away = distance_m(net.lon[usable], net.lat[usable], lon, lat)
     order = np.argsort(away, kind="stable")
-    limit = away[order[0]] + OTHER_CARRIAGEWAY_M
-    chosen = [i for i in order[:MOST_CANDIDATES] if away[i] <= limit]
-    candidates = tuple((int(usable[i]), float(away[i])) for i in chosen)
+    nearest = float(away[order[0]])
+
+    def within(limit: float, most: int) -> tuple[tuple[int, float], ...]:
+        return tuple((int(usable[i]), float(away[i])) for i in order[:most] if away[i] <= limit)
+
+    beside = nearest + OTHER_CARRIAGEWAY_M
+    if name is not None:
+        nodes_near = within(beside, MOST_CANDIDATES)
+        return Location(nodes_near[0][0], name, lon, lat, road_m, nodes_near)
+    limit = max(beside, nearest * OTHER_JUNCTION)
+    candidates = within(limit, MOST_WAYS)
     node = candidates[0][0]
-    road_m = road_distance_m(net, fits[net.tail] | fits[net.head], lon, lat)
-    if road_m > FARTHEST_ROAD_M:
-        exchanged = abs(lon) <= 90 and distance_m(net.lon, net.lat, lat, lon).min() < road_m / 10
-        raise NetworkError(
-            f"place ({lon:g}, {lat:g}): {road_m / 1000:,.0f} km from the nearest road of "
-            f"{net.source.name}; "
-            + ("give longitude first, then latitude" if exchanged else "load a map of that region")
-        )
-    return Location(node, name or net.place_name(node), lon, lat, road_m, candidates)
+    mapped = ~net.inferred[roads.edges]
+    on_road = _lowest(net, roads, mapped & (roads.away_m <= access.on_road_m))
+    if on_road:
+        own = _name_on_road(net, on_road[0], lon, lat)
+        return Location(node, own, lon, lat, road_m, candidates, on_road=on_road)
+    enters: tuple[RoadPoint, ...] = ()
+    if mapped.any():
+        near = float(roads.away_m[mapped].min())
+        closed = np.isin(net.road_class[roads.edges], CLOSED)
+        if nearest > near + NO_JUNCTION_M:
+            enters = _lowest(net, roads, mapped & (roads.away_m <= near + OTHER_CARRIAGEWAY_M))
+        else:
+            enters = _lowest(net, roads, mapped & ~closed & (roads.away_m <= limit))
+    own = _name_beside_road(net, lon, lat)
+    return Location(node, own, lon, lat, road_m, candidates, enters=enters, beside_road=True)
 
 
-def road_distance_m(net: RoadNetwork, edges: NDArray[np.bool_], lon: float, lat: float) -> float:
-    """Return how far a point is from the nearest of some edges, on a plane true to scale there.
+def is_closed(net: RoadNetwork, edge: int) -> bool:
+    """Tell whether one gets onto a road at junctions alone.
 
     Parameters
     ----------
     net : RoadNetwork
-        Where to look.
-    edges : ndarray of bool, (m,)
-        The edges.
-    lon, lat : float
-        The point [deg].
+        The network.
+    edge : int
+        Edge id.
 
     Returns
     -------
-    float
-        Distance [m].
+    bool
+        Whether it is a motorway, a trunk road, or a ramp of one.
     """
-    per_lon, per_lat = metres_per_degree(lat)
-    x, y = (net.shape_lon - lon) * per_lon, (net.shape_lat - lat) * per_lat
-    ax, ay, dx, dy = x[:-1], y[:-1], np.diff(x), np.diff(y)
-    joint = net.shape_first[1:-1] - 1
-    dx[joint] = dy[joint] = 0.0
-    square = dx**2 + dy**2
-    share = np.divide(-(ax * dx + ay * dy), square, out=np.zeros_like(square), where=square > 0)
-    share = np.clip(share, 0, 1)
-    away = (ax + share * dx) ** 2 + (ay + share * dy) ** 2
-    # An edge has one point more than straight pieces: the last "piece" leads to the next edge.
-    return float(np.sqrt(away[np.repeat(edges, np.diff(net.shape_first))[:-1]].min()))
+    return int(net.road_class[edge]) in CLOSED
+
+
+def _refuse(net: RoadNetwork, lon: float, lat: float, road_m: float, limit_km: float) -> None:
+    exchanged = abs(lon) <= 90 and distance_m(net.lon, net.lat, lat, lon).min() < road_m / 10
+    raise NetworkError(
+        f"place ({lon:g}, {lat:g}): {road_m / 1000:,.0f} km from the nearest road of "
+        f"{net.source.name}, more than {limit_km:g} km; "
+        + (
+            "give longitude first, then latitude"
+            if exchanged
+            else "load a map of that region, or raise the limit"
+        )
+    )
+
+
+def _lowest(
+    net: RoadNetwork, roads: RoadPoints, chosen: NDArray[np.bool_]
+) -> tuple[RoadPoint, ...]:
+    """Return the points that are nearer than those beside them on the road, nearest first.
+
+    Where two edges meet, the end of one is near a place that lies on the other, and is no point of
+    its own.
+    """
+    at = np.flatnonzero(chosen)
+    if not len(at):
+        return ()
+    share, edges = roads.share[at], roads.edges[at]
+    begins, ends = share <= AT_A_NODE, share >= 1 - AT_A_NODE
+    tail, head = net.tail[edges], net.head[edges]
+    # A node is such a point if no edge at it has a nearer one.
+    passed = set(tail[~begins].tolist()) | set(head[~ends].tolist())
+    seen: set[int] = set()
+    found = []
+    for k in np.argsort(roads.away_m[at], kind="stable").tolist():
+        node = int(tail[k]) if begins[k] else int(head[k]) if ends[k] else -1
+        if node >= 0 and (node in passed or node in seen):
+            continue
+        seen.add(node)
+        found.append(
+            RoadPoint(int(edges[k]), float(np.round(share[k], 12)), float(roads.away_m[at[k]]))
+        )
+        if len(found) == MOST_WAYS:
+            break
+    return tuple(found)
+
+
+def _name_on_road(net: RoadNetwork, point: RoadPoint, lon: float, lat: float) -> str:
+    """Return a name people understand for a point of a road, as `RoadNetwork.place_name` does."""
+    for node, share in ((net.tail[point.edge], 0.0), (net.head[point.edge], 1.0)):
+        if point.share == share:
+            return net.place_name(int(node))
+    road = net.edge_ref(point.edge) or net.edge_name(point.edge)
+    near = net.points.nearest_town(lon, lat)
+    if near is not None and near[1] < TOWN_M:
+        return f"{road or 'road'} near {net.texts[net.points.name[near[0]]]}"
+    return f"{road} at {format_position(lon, lat)}".strip()
+
+
+def _name_beside_road(net: RoadNetwork, lon: float, lat: float) -> str:
+    near = net.points.nearest_town(lon, lat)
+    if near is not None and near[1] < TOWN_M:
+        return f"near {net.texts[net.points.name[near[0]]]}"
+    return format_position(lon, lat)

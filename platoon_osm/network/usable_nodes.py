@@ -56,6 +56,26 @@ class UsableNodes:
             self._by_role[role] = nodes
         return self._by_role[role]
 
+    def edges(self, role: Role) -> NDArray[np.bool_]:
+        """Mark the edges on which a trip may start or end between two nodes.
+
+        Parameters
+        ----------
+        role : {"origin", "destination", "any"}
+            What the place is to be.
+
+        Returns
+        -------
+        ndarray of bool, (m,)
+            Those that lead to a node that fits, or come from one.
+        """
+        if not self._mostly:
+            return np.ones(len(self._tail), bool)
+        fits = self.of(role)
+        if role == "origin":
+            return fits[self._head]
+        return fits[self._tail] if role == "destination" else fits[self._tail] | fits[self._head]
+
     def _found(self, role: Role) -> NDArray[np.bool_]:
         if not self._mostly:
             leaves = np.bincount(self._tail, minlength=self._n) > 0

@@ -9,16 +9,18 @@ import numpy as np
 
 from ..costs.weights import EdgeWeights
 from ..errors import NoRouteError, PlatoonError, ScenarioError
+from ..network.access import STANDARD_ACCESS
 from ..network.locate import locate
 from ..network.location import Location, Place, Role
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip
 from ..search.trees import Trees
 from ..sources.spellings import CLASSES, INFER_LINKS
+from .places import PlacedEnd, placed
 
 __all__ = ["TripEnds", "located", "resolve_trips"]
 
-ACCESS_DETOUR = 1.4
+ACCESS_DETOUR = STANDARD_ACCESS.detour
 """Way to a node against the straight distance, where only the latter is known."""
 
 Ends = tuple[Location, Location]
@@ -93,7 +95,7 @@ def resolve_trips(
     weights: EdgeWeights,
     trees: Trees,
     trips: Sequence[Trip],
-    places: Sequence[Ends] | None = None,
+    places: Sequence[tuple[PlacedEnd, PlacedEnd]] | None = None,
 ) -> list[TripEnds]:
     """Choose for each trip the pair of nodes with the least way in all, access included.
 
@@ -107,8 +109,9 @@ def resolve_trips(
         Searches under the solo weight.
     trips : sequence of Trip, (N,)
         Who goes where.
-    places : sequence of tuple of Location, (N, 2), optional
-        Their ends, if `located` found them before.
+    places : sequence of tuple of PlacedEnd, (N, 2), optional
+        Their ends, as `placed` puts them on the network; without them no place may lie between two
+        junctions.
 
     Returns
     -------
@@ -118,31 +121,42 @@ def resolve_trips(
     Raises
     ------
     ScenarioError
-        A trip that ends where it starts.
+        A trip that ends where it starts, or a place that is not yet on the network.
     NoRouteError
         A trip without any route.
     """
     length = float(net.length_m.sum())
     per_metre = ACCESS_DETOUR * float(weights.solo.sum()) / length if length else 0.0
-    ends = located(net, trips) if places is None else places
+    if places is None:
+        found = placed(net, located(net, trips))
+        if found.net is not net:
+            raise ScenarioError(
+                "plan: a place lies between two junctions; put the places on the network with "
+                "`placed` first"
+            )
+        places = found.ends
     return [
-        _resolve(net, trees, trip, own, per_metre) for trip, own in zip(trips, ends, strict=True)
+        _resolve(net, trees, trip, own, per_metre) for trip, own in zip(trips, places, strict=True)
     ]
 
 
 def _resolve(
-    net: RoadNetwork, trees: Trees, trip: Trip, places: Ends, per_metre: float
+    net: RoadNetwork,
+    trees: Trees,
+    trip: Trip,
+    places: tuple[PlacedEnd, PlacedEnd],
+    per_metre: float,
 ) -> TripEnds:
     start, end = places
-    starts, ends = ([node for node, _ in place.candidates] for place in (start, end))
+    starts, ends = ([node for node, _ in place.nodes] for place in (start, end))
     same_spot = (start.lon, start.lat) == (end.lon, end.lat)
     same_name = start.name == end.name and set(starts) & set(ends)
-    if start.node == end.node or same_spot or same_name:
+    if starts[0] == ends[0] or same_spot or same_name:
         raise ScenarioError(
             f"trip {trip.vehicle!r}: origin and destination are the same place ({start.name}); "
             "give two different ones"
         )
-    access, egress = (np.array([away for _, away in place.candidates]) for place in (start, end))
+    access, egress = (np.array([away for _, away in place.nodes]) for place in (start, end))
     total = (
         trees.table(starts, ends)
         + per_metre * (access[:, None] + egress)
@@ -157,5 +171,5 @@ def _resolve(
         )
     i, j = np.unravel_index(int(np.argmin(total)), total.shape)
     return TripEnds(
-        trip.vehicle, starts[i], ends[j], frozenset(starts), frozenset(ends), start.name, end.name
-    )
+        trip.vehicle, starts[i], ends[j], start.same, end.same, start.name, end.name
+    )  # fmt: skip

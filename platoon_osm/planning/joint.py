@@ -6,10 +6,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from ..costs.objective import Objective, edge_weights
+from ..costs.objective import Objective
+from ..costs.placed_weights import placed_weights
 from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive
 from ..errors import ScenarioError, brief
+from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.proof import Proof
@@ -22,6 +24,7 @@ from ..search.trees import Trees
 from .ends import TripEnds, located, resolve_trips
 from .master import longest_route
 from .pair import PairPlan, plan_pair
+from .places import placed
 from .problem import Optimum, Problem, check_choice
 from .routers import AstarRouter, DijkstraRouter, Method
 from .star import Star, StarChoice
@@ -129,13 +132,14 @@ def solve(problem: Problem) -> Plan:
         raise ScenarioError(
             f"plan: {brief(problem)} is no Problem; make one from a network, trips and an objective"
         )
-    net = problem.net
-    weights = edge_weights(problem.objective, net, "plan")
-    places = located(net, problem.trips)
+    places = placed(problem.net, located(problem.net, problem.trips))
+    net = places.net
+    weights = placed_weights(problem.objective, net, "plan")
+    problem = replace(problem, net=net)
     # A search for each candidate of the fewer, then one from each end of each trip.
-    expected = sum(min(len(end.candidates) for end in ends) + 2 for ends in places)
+    expected = sum(min(len(end.nodes) for end in ends) + 2 for ends in places.ends)
     trees = Trees(net.attached(Searches).under(weights.solo, expected, problem.engine))
-    ends = resolve_trips(net, weights, trees, problem.trips, places)
+    ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
     case = _Cases(problem, weights, tuple(ends), trees)
     return _with_rules(with_times(case.best(), problem.trips), problem)
 
@@ -245,7 +249,9 @@ class _Cases:
 
     def _written_pair(self, pair: PairPlan) -> Plan:
         order = (self.master, 1 - self.master)
-        together = len(pair.shared) > 0
+        # A way beside the road is nobody's company, though it costs no more side by side.
+        ways = access_of(self.problem.net, pair.shared)
+        together = not ways.all()
         routes: list[list[Run]] = [[], []]
         for k, index in enumerate(order):
             routes[index] = [

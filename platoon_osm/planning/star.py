@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
+from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.stretches import Run, runs_alone, runs_along
 from .cases import Floats, MemberPlans, choose_points, route_nodes
@@ -84,7 +85,12 @@ class Star:
         self.net, self.weights, self.ends, self.master = net, weights, ends, master
         self.router = router
         self.alone = [router.route(item.origin, item.destination) for item in ends]
-        self.route = self.alone[master]
+        # A way beside the road is nobody's company: members join on the road, and leave there.
+        whole = self.alone[master]
+        ways = access_of(net, whole)
+        self.route = whole[~ways]
+        begin = int(np.argmin(ways)) if len(self.route) else len(whole)
+        self._before, self._after = whole[:begin], whole[begin + len(self.route) :]
         self.members = [index for index in range(len(ends)) if index != master]
         self._origins = np.array([ends[k].origin for k in self.members], np.int64)
         self._destinations = np.array([ends[k].destination for k in self.members], np.int64)
@@ -100,9 +106,14 @@ class Star:
         nodes = route_nodes(self.net, self.route)
         entry = self.router.table(self._origins, nodes)
         leave = self.router.table(nodes, self._destinations).T
+        return entry, leave, self._solo
+
+    @property
+    def _solo(self) -> Floats:
+        """Costs alone (M,) of the members."""
         pairs = zip(self._origins, self._destinations, strict=True)
         solo = [float(self.router.table(np.array([o]), np.array([d]))[0, 0]) for o, d in pairs]
-        return entry, leave, np.array(solo, np.float64)
+        return np.array(solo, np.float64)
 
     def choose(self, case: Any, optimum: Optimum) -> StarChoice:
         """Choose the members' points.
@@ -126,7 +137,7 @@ class Star:
         """
         everyone = np.arange(len(self.members))
         gain = (self.weights.solo - self.weights.master)[self.route]
-        alone = float(self.weights.solo[self.route].sum())
+        alone = float(self.weights.solo[self.alone[self.master]].sum())
         if optimum == "member" or not self.members:
             points = self._points(case, None, everyone)
             met = _company(points, len(self.route))
@@ -143,6 +154,8 @@ class Star:
         return StarChoice(case, found.members, found.cost + alone, found.bound + alone)
 
     def _points(self, case: Any, gain: Floats | None, rows: Edges) -> MemberPlans:
+        if not len(self.route):
+            return _apart(self._solo[rows])
         entry, leave, solo = self._costs
         some = [self.ends[self.members[k]] for k in rows]
         return choose_points(
@@ -172,8 +185,12 @@ class Star:
                 there[at].append(index)
         companies = [tuple(company) for company in there]
         routes = [runs_alone(route, index) for index, route in enumerate(self.alone)]
-        routes[self.master] = runs_along(self.route, companies)
-        nodes = route_nodes(self.net, self.route)
+        routes[self.master] = [
+            *runs_alone(self._before, self.master),
+            *runs_along(self.route, companies),
+            *runs_alone(self._after, self.master),
+        ]
+        nodes = self.net.path_nodes(self.route)
         for index, i, j in joined:
             own = self.ends[index]
             before = self.router.route(own.origin, int(nodes[i]))
@@ -184,6 +201,14 @@ class Star:
                 *runs_alone(after, index),
             ]
         return routes
+
+
+def _apart(solo: Floats) -> MemberPlans:
+    """Return the plans of members (N,) whose master drives no road that they could share."""
+    nowhere = np.full(len(solo), -1, np.int64)
+    return MemberPlans(
+        nowhere, nowhere, nowhere, nowhere, solo, solo, np.ones(len(solo), bool)
+    )  # fmt: skip
 
 
 def _company(points: MemberPlans, edges: int) -> NDArray[np.bool_]:

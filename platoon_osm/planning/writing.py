@@ -9,11 +9,15 @@ from numpy.typing import NDArray
 
 from .._version import __version__
 from ..costs.weights import EdgeWeights
+from ..network.nearest_road import is_closed
+from ..network.placed import PlacedNetwork, access_of, is_beside, network_below, whole_edges
 from ..network.road_network import RoadNetwork
 from ..plans.events import platoon_events
 from ..plans.plan import Plan
 from ..plans.proof import Proof
 from ..plans.records import (
+    WHOLE,
+    Line,
     NetworkIdentity,
     PlannedTrip,
     Platoon,
@@ -22,7 +26,7 @@ from ..plans.records import (
     Stop,
     Stretch,
 )
-from ..plans.stretches import Run, stretched
+from ..plans.stretches import Run, runs_along, stretched
 from .ends import TripEnds
 from .problem import Problem
 
@@ -42,8 +46,9 @@ def identity_of(net: RoadNetwork) -> NetworkIdentity:
     Returns
     -------
     NetworkIdentity
-        Its source, size and hash.
+        Its source, size and hash; those of the network below if it has places between junctions.
     """
+    net = network_below(net)
     source = net.source
     return NetworkIdentity(
         source.name, source.sha256, source.extracted, source.licence, source.attribution,
@@ -91,15 +96,20 @@ def written_plan(
         Without times.
     """
     net = problem.net
-    runs, ways = stretched(routes)
+    runs, ways = stretched([_access_apart(net, index, own) for index, own in enumerate(routes)])
     stretches = tuple(_stretch(net, weights, run) for run in runs)
+    names = _place_names(net, ends)
 
     def point_at(index: int, kind: str, stretch: int) -> PlatoonPoint:
         del index
-        edges = stretches[stretch].edges
+        edges = runs[stretch].edges
         node = int(net.tail[edges[0]] if kind == "merge" else net.head[edges[-1]])
-        at = float(net.lon[node]), float(net.lat[node])
-        return PlatoonPoint(node, int(net.node_id[node]), *at, net.place_name(node), 0.0)
+        stop = _stop(net, node, "")
+        name = names.get(node) or net.place_name(node)
+        osm_id = int(net.node_id[node]) if stop.node >= 0 else 0
+        return PlatoonPoint(
+            stop.node, osm_id, stop.lon, stop.lat, name, 0.0, stop.edge, stop.share
+        )  # fmt: skip
 
     trips = tuple(
         _trip(net, weights, own, route, reason)
@@ -119,9 +129,42 @@ def written_plan(
         params=dict(weights.params),
         network=identity_of(net),
         proof=proof,
-        remarks=tuple(_inferred(net, trips, stretches, ways)),
+        remarks=(*_inferred(net, trips, runs, ways), *_between_junctions(net, trips, runs, ways)),
         version=__version__,
     )
+
+
+def _access_apart(net: RoadNetwork, vehicle: int, runs: Sequence[Run]) -> list[Run]:
+    """Return runs of which each is road, or one way beside the road that a vehicle drives alone."""
+    found: list[Run] = []
+    for run in runs:
+        edges = np.asarray(run.edges, np.int64)
+        ways = access_of(net, edges)
+        if not ways.any():
+            found.append(run)
+            continue
+        companies = [(vehicle,) if way else run.company for way in ways]
+        for part in runs_along(edges, companies):
+            on = access_of(net, np.asarray(part.edges, np.int64))
+            pieces = np.split(np.array(part.edges), np.flatnonzero(on[1:] | on[:-1]) + 1)
+            found += [Run(tuple(piece.tolist()), part.company) for piece in pieces]
+    return found
+
+
+def _place_names(net: RoadNetwork, ends: Sequence[TripEnds]) -> dict[int, str]:
+    """Return what people call the nodes of places between junctions."""
+    names: dict[int, str] = {}
+    first = network_below(net).n
+    for own in ends:
+        for chosen, name, same in (
+            (own.origin, own.origin_name, own.origins),
+            (own.destination, own.destination_name, own.destinations),
+        ):
+            # What leads to a place beside the road is not the place.
+            for node in [chosen] if is_beside(net, chosen) else sorted(same):
+                if node >= first:
+                    names.setdefault(node, name)
+    return names
 
 
 def _stretch(net: RoadNetwork, weights: EdgeWeights, run: Run) -> Stretch:
@@ -129,47 +172,112 @@ def _stretch(net: RoadNetwork, weights: EdgeWeights, run: Run) -> Stretch:
     length = net.length_m[edges]
     length_m = float(length.sum())
     size = len(run.company)
+    way = access_of(net, edges)[:1].any()
+    below, span = ((), WHOLE) if way else whole_edges(net, edges)
     return Stretch(
-        edges=run.edges,
+        edges=below,
         vehicles=run.company,
         length_m=length_m,
         drive_s=float((length / net.speed_mps[edges]).sum()),
         shares=tuple(weights.share(edges, length_m, place, size) for place in range(size)),
         inferred_m=float(length[net.inferred[edges]].sum()),
+        span=span,
+        access=_line(net, run.edges[0]) if way else None,
+        access_at=net.place_name(_meets(net, run.edges[0])) if way else "",
     )
+
+
+def _meets(net: RoadNetwork, edge: int) -> int:
+    """Return the node where a way beside the road meets it."""
+    tail, head = int(net.tail[edge]), int(net.head[edge])
+    return head if is_beside(net, tail) else tail
+
+
+def _line(net: RoadNetwork, edge: int) -> Line:
+    """Return the straight line of a way beside the road."""
+    shape = net.shape(edge).tolist()
+    (lon, lat), (to_lon, to_lat) = shape[0], shape[-1]
+    return (lon, lat), (to_lon, to_lat)
 
 
 def _trip(
     net: RoadNetwork, weights: EdgeWeights, ends: TripEnds, alone: Edges, reason: str
 ) -> PlannedTrip:
-    own = _stretch(net, weights, Run(tuple(alone.tolist()), (0,)))
-    share = own.shares[0]
+    edges = np.asarray(alone, np.int64)
+    length = net.length_m[edges]
+    length_m = float(length.sum())
+    share = weights.share(edges, length_m, 0, 1)
+    ways = access_of(net, edges)
+    road = edges[~ways]
+    below, span = whole_edges(net, road) if len(road) else ((), WHOLE)
+    first = _line(net, int(edges[0])) if ways[:1].any() else None
+    # Between two places beside the road that share a junction there may be no road at all.
+    last = _line(net, int(edges[-1])) if ways[-1:].any() and len(edges) > 1 else None
     return PlannedTrip(
         ends.vehicle,
         _stop(net, ends.origin, ends.origin_name),
         _stop(net, ends.destination, ends.destination_name),
         SoloRoute(
-            own.edges, own.length_m, own.drive_s, share.fuel_l, share.cost, own.inferred_m
+            below,
+            length_m,
+            float((length / net.speed_mps[edges]).sum()),
+            share.fuel_l,
+            share.cost,
+            float(length[net.inferred[edges]].sum()),
+            span,
+            (first, last),
         ),
         reason,
-    )  # fmt: skip
+    )
 
 
 def _stop(net: RoadNetwork, node: int, name: str) -> Stop:
-    return Stop(node, float(net.lon[node]), float(net.lat[node]), name)
+    at = float(net.lon[node]), float(net.lat[node])
+    first = network_below(net).n
+    if not isinstance(net, PlacedNetwork) or node < first:
+        return Stop(node, *at, name)
+    edge = int(net.place_edge[node - first])
+    if edge < 0:
+        return Stop(-1, *at, name)
+    return Stop(-1, *at, name, edge, float(net.place_share[node - first]))
 
 
 def _inferred(
     net: RoadNetwork,
     trips: Sequence[PlannedTrip],
-    stretches: Sequence[Stretch],
+    runs: Sequence[Run],
     ways: Sequence[Sequence[int]],
 ) -> Iterator[str]:
     for trip, way in zip(trips, ways, strict=True):
-        inferred_m = sum(stretches[k].inferred_m for k in way)
-        if inferred_m:
-            count = sum(int(net.inferred[list(stretches[k].edges)].sum()) for k in way)
+        edges = np.array([edge for k in way for edge in runs[k].edges], np.int64)
+        inferred = edges[net.inferred[edges]]
+        if len(inferred):
             yield (
-                f"{trip.vehicle} drives {inferred_m / 1000:.1f} km over {count} connectors that "
-                "were inferred, not mapped; check them before driving"
+                f"{trip.vehicle} drives {net.length_m[inferred].sum() / 1000:.1f} km over "
+                f"{len(inferred)} connectors that were inferred, not mapped; check them before "
+                "driving"
             )
+
+
+def _between_junctions(
+    net: RoadNetwork,
+    trips: Sequence[PlannedTrip],
+    runs: Sequence[Run],
+    ways: Sequence[Sequence[int]],
+) -> Iterator[str]:
+    """Remark ways to a motorway that meet it where the map has no junction."""
+    if not isinstance(net, PlacedNetwork) or net.below is None:
+        return
+    first = net.below.n
+    for trip, way in zip(trips, ways, strict=True):
+        for edge in (edge for k in way for edge in runs[k].edges if net.below_edge[edge] < 0):
+            leaves = is_beside(net, int(net.tail[edge]))
+            node = _meets(net, edge)
+            road = int(net.place_edge[node - first]) if node >= first else -1
+            if road >= 0 and is_closed(net.below, road):
+                yield (
+                    f"{trip.vehicle} {'gets onto' if leaves else 'leaves'} "
+                    f"{net.below.edge_ref(road) or 'the road'} between two junctions, for the map "
+                    f"has none near {trip.origin.name if leaves else trip.destination.name}; check "
+                    "that there is a way"
+                )

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from graphlib import CycleError, TopologicalSorter
 
 from ..errors import ScenarioError, brief
-from ..kinds import is_number
-from .records import Event, PlannedTrip, Platoon, Stretch
+from ..kinds import is_number, is_whole
+from .records import Event, Line, PlannedTrip, Platoon, PlatoonPoint, Span, Stop, Stretch
 from .timetable import Timetable
 
 __all__ = ["check_parts"]
@@ -40,7 +40,15 @@ def check_parts(
     _need(len(ways) == count, f"{count} trips have {len(ways)} ways")
     for trip in trips:
         alone = trip.alone
-        _finite(f"trip {trip.vehicle!r}", alone.length_m, alone.time_s, alone.fuel_l, alone.cost)
+        where = f"trip {trip.vehicle!r}"
+        _finite(where, alone.length_m, alone.time_s, alone.fuel_l, alone.cost)
+        _need(len(alone.access) == 2, f"{where} has not one way to the road and one from it")
+        _need(bool(alone.edges or any(alone.access)), f"{where} drives nothing alone")
+        _check_span(alone.edges, alone.span, where)
+        for line in alone.access:
+            _check_line(line, where)
+        _check_place(trip.origin, where)
+        _check_place(trip.destination, where)
     for number, stretch in enumerate(stretches):
         _check_stretch(stretch, count, f"stretch {number}")
     _check_ways(trips, stretches, ways)
@@ -57,13 +65,21 @@ def check_parts(
         _need(event.kind in ("merge", "separation"), f"{where} is a {brief(event.kind)}")
         _need(len(event.movers) > 0, f"{where} moves nobody")
         _need(0 <= event.stretch < len(stretches), f"{where} is at no stretch")
+        _check_place(event.point, where)
     own = [(trip.vehicle, len(way)) for trip, way in zip(trips, ways, strict=True)]
     if timetable and own != [(times.vehicle, len(times.legs)) for times in timetable.vehicles]:
         raise ScenarioError("plan: its timetable is that of other vehicles; plan again")
 
 
 def _check_stretch(stretch: Stretch, count: int, where: str) -> None:
-    _need(len(stretch.edges) > 0, f"{where} has no edges")
+    if stretch.access is None:
+        _need(len(stretch.edges) > 0, f"{where} has no edges")
+    else:
+        # One edge, where the plan is laid out on a network that has the way.
+        _need(len(stretch.edges) < 2, f"{where} is a way beside the road, but has edges")
+        _need(len(stretch.vehicles) == 1, f"{where} is a way beside the road, driven together")
+        _check_line(stretch.access, where)
+    _check_span(stretch.edges, stretch.span, where)
     _need(len(stretch.vehicles) > 0, f"{where} has no vehicles")
     _positions(stretch.vehicles, count, where)
     _need(len(stretch.shares) == len(stretch.vehicles), f"{where} has not one share a vehicle")
@@ -71,6 +87,29 @@ def _check_stretch(stretch: Stretch, count: int, where: str) -> None:
     for share in stretch.shares:
         told = (value for value in (share.alone_cost, share.money) if value is not None)
         _finite(where, share.cost, share.fuel_l, share.alone_fuel_l, *told)
+
+
+def _check_span(edges: Sequence[int], span: Span, where: str) -> None:
+    _need(len(span) == 2 and _all_finite(span), f"{where} has a span that is none")
+    begin, end = span
+    _need(0 <= begin < 1 and 0 < end <= 1, f"{where} begins or ends beside its edges")
+    _need(len(edges) != 1 or begin < end, f"{where} ends before it begins")
+
+
+def _check_line(line: Line | None, where: str) -> None:
+    if line is not None:
+        fits = all(
+            len(point) == 2 and _all_finite(point) and abs(point[0]) <= 180 and abs(point[1]) <= 90
+            for point in line
+        )
+        _need(len(line) == 2 and fits, f"{where} has a way to the road that is no line")
+
+
+def _check_place(place: Stop | PlatoonPoint, where: str) -> None:
+    _need((place.edge is None) == (place.share is None), f"{where} has half a place on an edge")
+    if place.edge is not None and place.share is not None:
+        fits = is_whole(place.edge) and place.edge >= 0 and _all_finite([place.share])
+        _need(fits and 0 <= place.share <= 1, f"{where} has a place on an edge that is none")
 
 
 def _check_ways(

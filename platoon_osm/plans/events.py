@@ -35,10 +35,10 @@ def platoon_events(
     Returns
     -------
     tuple of Event
-        Those who join, or leave, the same company at the same node are one event.
+        Those who join, or leave, the same company at the same place are one event.
     """
     masters = {platoon.master for platoon in platoons}
-    found: dict[tuple[str, int, tuple[int, ...]], Event] = {}
+    found: dict[tuple[object, ...], Event] = {}
     for index, way in enumerate(ways):
         if index in masters:
             continue
@@ -46,7 +46,7 @@ def platoon_events(
             if (point := point_at(index, kind, stretch)) is None:
                 continue
             company = stretches[stretch].company
-            key = (kind, point.node, company)
+            key = (kind, point.node, point.edge, point.share, company)
             movers = (*(found[key].movers if key in found else ()), index)
             found[key] = Event(
                 kind,

@@ -1,7 +1,8 @@
 """A plan as plain JSON types, and back; docs/plan.schema.json describes the form.
 
-Version 3 is the record itself. Versions 1 and 2 held each vehicle's legs, and version 1 no times;
-both are read by `older_versions`.
+Version 4 is the record itself. Version 3 knew no places between junctions or beside the road, and
+is read as it stands. Versions 1 and 2 held each vehicle's legs, and version 1 no times; both are
+read by `older_versions`.
 """
 
 from __future__ import annotations
@@ -14,12 +15,15 @@ from ..errors import ScenarioError, brief
 from .older_versions import OLDER_VERSIONS, fields_of_older
 from .proof import Proof
 from .records import (
+    WHOLE,
     Event,
+    Line,
     NetworkIdentity,
     PlannedTrip,
     Platoon,
     PlatoonPoint,
     SoloRoute,
+    Span,
     Stop,
     Stretch,
 )
@@ -27,7 +31,10 @@ from .timetable import Timetable
 
 __all__ = ["PLAN_VERSION", "plan_from_dict"]
 
-PLAN_VERSION = 3
+PLAN_VERSION = 4
+
+RECORDS = (3, PLAN_VERSION)
+"""Versions that are the record itself; what a later one added has a default."""
 
 Made = TypeVar("Made")
 
@@ -53,14 +60,14 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
         Another version of the format, not a plan at all, or one whose parts do not fit.
     """
     found = data.get("plan_version") if isinstance(data, Mapping) else None
-    if isinstance(found, bool) or found not in (*OLDER_VERSIONS, PLAN_VERSION):
+    if isinstance(found, bool) or found not in (*OLDER_VERSIONS, *RECORDS):
         raise ScenarioError(
             f"plan: format version {brief(found)}, this version reads up to "
             f"{PLAN_VERSION}; plan again"
         )
     try:
         own = {name: value for name, value in data.items() if name != "plan_version"}
-        fields = _fields(own) if found == PLAN_VERSION else fields_of_older(own)
+        fields = _fields(own) if found in RECORDS else fields_of_older(own)
         table = own.get("timetable")
         return make(
             **{
@@ -94,7 +101,14 @@ def _trip(data: Mapping[str, Any]) -> PlannedTrip:
             **data,
             "origin": Stop(**data["origin"]),
             "destination": Stop(**data["destination"]),
-            "alone": SoloRoute(**{**data["alone"], "edges": tuple(data["alone"]["edges"])}),
+            "alone": SoloRoute(
+                **{
+                    **data["alone"],
+                    "edges": tuple(data["alone"]["edges"]),
+                    "span": _span(data["alone"]),
+                    "access": tuple(map(_line, data["alone"].get("access", (None, None)))),
+                }
+            ),
         }
     )
 
@@ -106,8 +120,22 @@ def _stretch(data: Mapping[str, Any]) -> Stretch:
             "edges": tuple(data["edges"]),
             "vehicles": tuple(data["vehicles"]),
             "shares": tuple(Share(**item) for item in data["shares"]),
+            "span": _span(data),
+            "access": _line(data.get("access")),
         }
     )
+
+
+def _span(data: Mapping[str, Any]) -> Span:
+    begin, end = data.get("span", WHOLE)
+    return begin, end
+
+
+def _line(data: Any) -> Line | None:
+    if data is None:
+        return None
+    (lon, lat), (to_lon, to_lat) = data
+    return (lon, lat), (to_lon, to_lat)
 
 
 def _event(data: Mapping[str, Any]) -> Event:

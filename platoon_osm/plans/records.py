@@ -7,9 +7,17 @@ from dataclasses import dataclass
 from ..costs.share import Share
 
 __all__ = [
-    "Event", "Leg", "NetworkIdentity", "PlannedTrip", "Platoon", "PlatoonPoint", "SoloRoute",
-    "Stop", "Stretch",
+    "WHOLE", "Event", "Leg", "Line", "NetworkIdentity", "PlannedTrip", "Platoon", "PlatoonPoint",
+    "SoloRoute", "Span", "Stop", "Stretch",
 ]  # fmt: skip
+
+Span = tuple[float, float]
+"""Where a way begins on its first edge and ends on its last, as shares of their lengths."""
+
+WHOLE: Span = (0.0, 1.0)
+
+Line = tuple[tuple[float, float], tuple[float, float]]
+"""A straight line, from (lon, lat) to (lon, lat) [deg]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,17 +27,23 @@ class Stop:
     Attributes
     ----------
     node : int
-        Position in the network.
+        Position in the network; -1 for a place between two junctions, or beside the road.
     lon, lat : float
         Degrees.
     name : str
         As people know it.
+    edge : int or None
+        The edge on which a place between two junctions lies.
+    share : float or None
+        How much of that edge, by length, lies before the place.
     """
 
     node: int
     lon: float
     lat: float
     name: str
+    edge: int | None = None
+    share: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,15 +53,19 @@ class PlatoonPoint:
     Attributes
     ----------
     node : int
-        Position in the network.
+        Position in the network; -1 for a place between two junctions.
     osm_id : int
-        Its OpenStreetMap id.
+        Its OpenStreetMap id; 0 for a place between two junctions.
     lon, lat : float
         Degrees.
     name : str
         Junction name, or the nearest thing to one.
     km : float
         Distance from the start of the vehicle's own joint route [km].
+    edge : int or None
+        The edge on which a place between two junctions lies.
+    share : float or None
+        How much of that edge, by length, lies before the place.
     """
 
     node: int
@@ -56,6 +74,8 @@ class PlatoonPoint:
     lat: float
     name: str
     km: float
+    edge: int | None = None
+    share: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +90,11 @@ class SoloRoute:
         Totals [m, s, l, unit of the plan].
     inferred_m : float
         Length of road that the loader inferred [m].
+    span : tuple of float, (2,)
+        Where it begins on the first edge and ends on the last.
+    access : tuple of (Line or None), (2,)
+        The ways to the road before its edges, and to the destination after them; they count in all
+        totals.
     """
 
     edges: tuple[int, ...]
@@ -78,6 +103,8 @@ class SoloRoute:
     fuel_l: float
     cost: float
     inferred_m: float = 0.0
+    span: Span = WHOLE
+    access: tuple[Line | None, Line | None] = (None, None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +137,7 @@ class Stretch:
     Attributes
     ----------
     edges : tuple of int
-        Edge ids in driving order.
+        Edge ids in driving order; none of a way between the road and a place beside it.
     vehicles : tuple of int
         Positions of its vehicles in the plan, in the order in which they drive; the first leads.
     length_m, drive_s : float
@@ -119,6 +146,13 @@ class Stretch:
         What each of `vehicles` pays there.
     inferred_m : float
         Length of road that the loader inferred [m].
+    span : tuple of float, (2,)
+        Where it begins on the first edge and ends on the last, as shares of their lengths.
+    access : Line or None
+        The straight line of a way between the road and a place beside it, as it is driven; its
+        length is that of the line with a detour. None for a stretch of road.
+    access_at : str
+        Where such a way meets the road, as people know it; else empty.
     """
 
     edges: tuple[int, ...]
@@ -127,6 +161,9 @@ class Stretch:
     drive_s: float
     shares: tuple[Share, ...]
     inferred_m: float = 0.0
+    span: Span = WHOLE
+    access: Line | None = None
+    access_at: str = ""
 
     @property
     def company(self) -> tuple[int, ...]:
@@ -205,7 +242,7 @@ class Leg:
     Attributes
     ----------
     role : str
-        "solo" or "platoon".
+        "solo", "platoon", or "access" for a way between the road and a place beside it.
     edges : tuple of int
         Edge ids in driving order.
     partners : tuple of str
@@ -216,6 +253,12 @@ class Leg:
         Length of road that the loader inferred [m].
     alone_cost : float or None
         What the leg would cost the vehicle alone; None if the plan does not tell.
+    span : tuple of float, (2,)
+        Where it begins on the first edge and ends on the last, as shares of their lengths.
+    access : Line or None
+        As in `Stretch`.
+    access_at : str
+        As in `Stretch`.
     """
 
     role: str
@@ -227,6 +270,9 @@ class Leg:
     cost: float
     inferred_m: float = 0.0
     alone_cost: float | None = None
+    span: Span = WHOLE
+    access: Line | None = None
+    access_at: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .clock import MENTIONED_S, duration
 from .plan import Plan
+from .records import Line
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan
 
@@ -68,6 +69,7 @@ def summary(plan: Plan) -> str:
         lines.append(f"Times are of {day}, {timetable.clock.zone}.")
     for vehicle, times in zip(plan.vehicles, plan.times, strict=True):
         lines += _events(vehicle, timetable, times)
+    lines += [line for vehicle in plan.vehicles for line in _access(vehicle)]
     lines.append(_proof(plan))
     lines += [f"Note: {remark}" for remark in plan.remarks]
     return "\n".join(lines)
@@ -125,6 +127,22 @@ def _events(
             f"(its km {vehicle.separation.km:,.0f}{separates})"
         ]
     return [f"{vehicle.vehicle} stays alone: {vehicle.reason}"] if vehicle.role == "alone" else []
+
+
+def _access(vehicle: VehiclePlan) -> list[str]:
+    """Tell of the ways between the road and places beside it, if a vehicle has some."""
+    ways = []
+    for place, leg in enumerate(vehicle.legs):
+        if leg.role == "access":
+            side = "to" if place == 0 and leg.access and _starts_at(vehicle, leg.access) else "from"
+            ways.append(f"{leg.length_m / 1000:,.1f} km {side} {leg.access_at}")
+    if not ways:
+        return []
+    return [f"{vehicle.vehicle}: access {' and '.join(ways)}, a straight line with a detour"]
+
+
+def _starts_at(vehicle: VehiclePlan, line: Line) -> bool:
+    return line[0] == (vehicle.origin.lon, vehicle.origin.lat)
 
 
 def _proof(plan: Plan) -> str:

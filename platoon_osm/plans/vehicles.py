@@ -78,6 +78,11 @@ class VehiclePlan:
         return sum(leg.length_m for leg in self.legs if leg.role == "platoon")
 
     @property
+    def access_m(self) -> float:
+        """Length of the ways between the road and places beside it."""
+        return sum(leg.length_m for leg in self.legs if leg.role == "access")
+
+    @property
     def inferred_m(self) -> float:
         """Length of road on the joint route that the loader inferred."""
         return sum(leg.inferred_m for leg in self.legs)
@@ -124,7 +129,7 @@ def vehicles_of(
                 legs=tuple(_leg(stretches[k], index, names) for k in ways[index]),
                 alone=Leg(
                     "solo", alone.edges, (), alone.length_m, alone.time_s, alone.fuel_l,
-                    alone.cost, alone.inferred_m, alone.cost,
+                    alone.cost, alone.inferred_m, alone.cost, alone.span,
                 ),
                 merge=_point(index, "merge", stretches, ways[index], events),
                 separation=_point(index, "separation", stretches, ways[index], events),
@@ -137,7 +142,7 @@ def vehicles_of(
 def _leg(stretch: Stretch, index: int, names: Sequence[str]) -> Leg:
     share = stretch.share_of(index)
     return Leg(
-        role="platoon" if stretch.together else "solo",
+        role="access" if stretch.access else "platoon" if stretch.together else "solo",
         edges=stretch.edges,
         partners=tuple(sorted(names[other] for other in stretch.vehicles if other != index)),
         length_m=stretch.length_m,
@@ -146,6 +151,9 @@ def _leg(stretch: Stretch, index: int, names: Sequence[str]) -> Leg:
         cost=share.cost,
         inferred_m=stretch.inferred_m,
         alone_cost=share.alone_cost,
+        span=stretch.span,
+        access=stretch.access,
+        access_at=stretch.access_at,
     )
 
 

@@ -6,6 +6,7 @@ added up and compared:
 
     reference:  m * REFERENCE_EDGE_S  +  searches * n * REFERENCE_NODE_S
     hierarchy:  LOAD_S or COMPILE_S  +  m * ORDER_EDGE_S or m * READ_EDGE_S
+                +  m * GROW_EDGE_S where places lie between its junctions
                 +  m * CUSTOMIZE_EDGE_S  +  searches * n * SWEEP_NODE_S
 
 each term only as far as it has not been paid already in this process. The times were measured on
@@ -19,6 +20,7 @@ import sys
 from collections.abc import Collection
 from typing import Any, Literal
 
+from ..network.placed import network_below
 from ..network.road_network import RoadNetwork
 from .kept_topology import KeptTopology
 
@@ -30,6 +32,7 @@ SWEEP_NODE_S = 5e-9
 CUSTOMIZE_EDGE_S = 1.2e-8
 READ_EDGE_S = 5e-8
 ORDER_EDGE_S = 3e-6
+GROW_EDGE_S = 4e-7
 LOAD_S = 1.0
 COMPILE_S = 30.0
 
@@ -58,9 +61,13 @@ def faster(
         reference += net.m * REFERENCE_EDGE_S
     sweeps = searches * net.n * SWEEP_NODE_S
     missing = 0.0 if "hierarchy" in ready else net.m * CUSTOMIZE_EDGE_S
-    topology = net.attached(KeptTopology)
-    if topology.of(net) is None:
-        missing += net.m * (READ_EDGE_S if topology.is_stored() else ORDER_EDGE_S)
+    if net.attached(KeptTopology).of(net) is None:
+        below = network_below(net)
+        topology = below.attached(KeptTopology)
+        if below is not net:
+            missing += net.m * GROW_EDGE_S
+        if topology.of(below) is None:
+            missing += net.m * (READ_EDGE_S if topology.is_stored() else ORDER_EDGE_S)
     if not _loaded():
         missing += LOAD_S
         # Looking for compiled code imports numba, so only where there is something to gain.

@@ -24,7 +24,7 @@ mixing = "gain"
 [[trips]]
 vehicle = "A"
 origin = "Torino"
-destination = [13.77, 45]
+destination = [13.77, 45.6]
 
 [[trips]]
 vehicle = "B"
@@ -47,7 +47,7 @@ def test_all_there_is(tmp_path):
     assert scenario.options == {"case": "C", "objective": "system", "master": "A"}
     assert scenario.costs == {"tau": 0.5, "mixing": "gain"}
     assert scenario.trips == (
-        Trip("A", "Torino", (13.77, 45.0)),
+        Trip("A", "Torino", (13.77, 45.6)),
         Trip("B", "Genova", "Belluno"),
     )
 
@@ -281,8 +281,8 @@ def test_a_scenario_is_planned_with_its_own_options(tmp_path, italy):
         ('case = "C"', 'case = "F"', "case 'F' is unknown"),
         ('master = "A"', 'master = "Z"', "master 'Z' has no trip"),
         ('"Belluno"', '"Beluno"', "trip 'B', destination: .*did you mean Belluno"),
-        ("[13.77, 45]", "[45.65, 113.77]", "trip 'A', destination: .*longitude comes first"),
-        ("[13.77, 45]", "[nan, 45.0]", "trip 'A', destination: "),
+        ("[13.77, 45.6]", "[45.65, 113.77]", "trip 'A', destination: .*longitude comes first"),
+        ("[13.77, 45.6]", "[nan, 45.0]", "trip 'A', destination: "),
         ('vehicle = "B"', 'vehicle = "A"', "vehicle 'A' has 2 trips"),
         ('"Belluno"', '"Genova"', "trip 'B': origin and destination are the same place"),
     ],

@@ -1,4 +1,4 @@
-"""Plans that versions 1 and 2 wrote still open, and say what they said.
+"""Plans that versions 1, 2 and 3 wrote still open, and say what they said.
 
 The files under older/ were written by those versions, on the network made below.
 """
@@ -40,7 +40,7 @@ def net():
 @pytest.mark.parametrize(("version", "name"), FILES)
 def test_every_number_and_word_is_there(version, name):
     data, plan = old(version, name), Plan.from_dict(old(version, name))
-    assert plan.plan_version == 3
+    assert plan.plan_version == 4
     for key in ("case", "asked", "objective", "method", "unit", "params", "version"):
         assert getattr(plan, key) == data[key]
     assert list(plan.remarks) == data["remarks"]
@@ -69,6 +69,26 @@ def test_every_number_and_word_is_there(version, name):
 def test_an_old_plan_read_and_written_is_a_new_one(version, name):
     plan = Plan.from_dict(old(version, name))
     assert Plan.from_dict(json.loads(json.dumps(plan.to_dict()))) == plan
+
+
+@pytest.mark.parametrize("name", ["three", "pair", "timed"])
+def test_version_3_says_all_but_places_between_junctions(name):
+    data = old(3, name)
+    plan = Plan.from_dict(data)
+    now = json.loads(json.dumps(plan.to_dict()))
+    assert now.pop("plan_version") == 4
+    assert data.pop("plan_version") == 3
+    for stretch in (*now["stretches"], *(trip["alone"] for trip in now["trips"])):
+        assert stretch.pop("span") == [0.0, 1.0]
+        assert stretch.pop("access") in (None, [None, None])
+        assert stretch.pop("access_at", "") == ""
+    for trip in now["trips"]:
+        for end in ("origin", "destination"):
+            assert (trip[end].pop("edge"), trip[end].pop("share")) == (None, None)
+    for event in now["events"]:
+        assert (event["point"].pop("edge"), event["point"].pop("share")) == (None, None)
+    for key, value in data.items():
+        assert now[key] == value
 
 
 def test_the_same_problem_gives_the_same_plan_today(net):

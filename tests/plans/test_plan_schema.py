@@ -35,7 +35,7 @@ def test_the_schema_is_one():
 
 def test_it_knows_every_field():
     assert set(SCHEMA["properties"]) == {item.name for item in fields(Plan)}
-    assert set(SCHEMA["$defs"]) == set(RECORDS)
+    assert set(SCHEMA["$defs"]) == {*RECORDS, "span", "line"}
     for name, kind in RECORDS.items():
         assert set(SCHEMA["$defs"][name]["properties"]) == {item.name for item in fields(kind)}
 
@@ -49,7 +49,7 @@ def test_what_is_written_fits_it(problem, case, system):
     FIT.validate(plan.to_dict())
 
 
-@pytest.mark.parametrize("version", [1, 2])
+@pytest.mark.parametrize("version", [1, 2, 3])
 def test_plans_of_older_versions_fit_it_once_read(version):
     text = (ROOT / "tests" / "plans" / "older" / f"version-{version}.json").read_text("utf-8")
     for data in json.loads(text).values():
@@ -74,7 +74,10 @@ def damaged(data, path, value):
     ("path", "value"),
     [
         (["plan_version"], 2), (["colour"], "red"), (["trips"], KeyError), (["case"], "E"),
-        (["stretches", 0, "edges"], []), (["stretches", 0, "vehicles"], [-1]),
+        (["stretches", 0, "edges"], []),
+        (["stretches", 0, "span"], [0, 2]), (["stretches", 0, "access"], [[9, 45], [9.1, 45]]),
+        (["trips", 0, "alone", "access"], [None]), (["trips", 0, "origin", "share"], 1.5),
+        (["stretches", 0, "vehicles"], [-1]),
         (["stretches", 0, "shares", 0, "cost"], "1"), (["stretches", 0, "drive_s"], None),
         (["proof", "kind"], "perhaps"), (["proof", "gap"], 0.1), (["events", 0, "kind"], "meet"),
         (["platoons", 0, "master"], "A"), (["network", "nodes"], 1.5), (["timetable"], []),

@@ -18,6 +18,7 @@ const { fine, lineStep, bandWidth, bandAside, soloStep, soloAside } = lanes;
 
 /* Lines of more vehicles than this are too thin for dashes: their band is a plain ribbon. */
 const CROWD = 8;
+const DOTS = "0.1 8";
 
 document.documentElement.classList.add("live");
 
@@ -201,8 +202,10 @@ function drawSolos() {
   solos.forEach((solo, i) => {
     const vehicle = plan.vehicles[solo.vehicle];
     const drawnLine = routeLine("routes", `vehicle-${solo.vehicle}`, {
-      color: vehicle.colour, weight: soloWeight(solo), dashArray: vehicle.dash || null,
-      lineCap: vehicle.cap,
+      color: vehicle.colour, weight: soloWeight(solo),
+      // A way beside the road is dotted: its line is straight, the road is not known.
+      dashArray: solo.access ? DOTS : vehicle.dash || null,
+      lineCap: solo.access ? "round" : vehicle.cap,
     }, solo.tip);
     redraws.push(() => {
       const points = line(solo.parts, soloAside, 0.7);

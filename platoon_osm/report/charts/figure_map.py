@@ -90,7 +90,8 @@ def _routes(axes: Axes, document: Document, view: MapView, cover: Cover) -> None
         )
         cover.add_line(points)
         line(points, PAPER, 7.0)
-        line(points, vehicle.colour, 3.6, **dash_of(vehicle))
+        dashes = {"linestyle": (0, (0.1, 2.2)), "dash_capstyle": "round"}
+        line(points, vehicle.colour, 3.6, **(dashes if solo.access else dash_of(vehicle)))
     for section in document.platoons:
         step, width = band_lines(len(section.vehicles))
         roads = [

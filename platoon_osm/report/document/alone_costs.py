@@ -15,7 +15,7 @@ from ...costs.weights import EdgeWeights
 from ...errors import ScenarioError
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
-from ...plans.records import Stretch
+from ...plans.records import Span, Stretch
 
 __all__ = ["with_alone_costs"]
 
@@ -61,7 +61,9 @@ def with_alone_costs(plan: Plan, net: RoadNetwork, weights: EdgeWeights | None =
 
 
 def _told(stretch: Stretch, weights: EdgeWeights) -> Stretch:
-    alone = _sum(weights, stretch.edges)
+    if stretch.access is not None:
+        return stretch
+    alone = _sum(weights, stretch.edges, stretch.span)
     shares = tuple(replace(share, alone_cost=alone) for share in stretch.shares)
     return replace(stretch, shares=shares)
 
@@ -69,13 +71,24 @@ def _told(stretch: Stretch, weights: EdgeWeights) -> Stretch:
 def _gives_the_costs(weights: EdgeWeights, plan: Plan, net: RoadNetwork) -> bool:
     if weights.unit != plan.unit or len(weights.solo) != net.m:
         return False
-    told = [(trip.alone.edges, trip.alone.cost) for trip in plan.trips]
-    told += [(one.edges, one.shares[0].cost) for one in plan.stretches if not one.together]
+    # What a way beside the road costs is not told by the weights of edges.
+    told = [
+        (alone.edges, alone.span, alone.cost)
+        for alone in (trip.alone for trip in plan.trips)
+        if not any(alone.access)
+    ]
+    told += [
+        (one.edges, one.span, one.shares[0].cost)
+        for one in plan.stretches
+        if not one.together and one.access is None
+    ]
     return all(
-        math.isclose(_sum(weights, edges), cost, rel_tol=SAME_COST, abs_tol=1e-9)
-        for edges, cost in told
+        math.isclose(_sum(weights, edges, span), cost, rel_tol=SAME_COST, abs_tol=1e-9)
+        for edges, span, cost in told
     )
 
 
-def _sum(weights: EdgeWeights, edges: tuple[int, ...]) -> float:
-    return float(weights.solo[np.asarray(edges, np.int64)].sum())
+def _sum(weights: EdgeWeights, edges: tuple[int, ...], span: Span) -> float:
+    costs = weights.solo[np.asarray(edges, np.int64)]
+    whole = float(costs.sum())
+    return whole - span[0] * float(costs[0]) - (1 - span[1]) * float(costs[-1])

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
+from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...plans.records import Event, Stretch
 from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
@@ -30,9 +31,9 @@ class Findings:
     Attributes
     ----------
     plan : Plan
-        What is told.
+        What is told, laid out in whole edges.
     net : RoadNetwork
-        Where it drives.
+        Where it drives, cut where its stretches begin and end.
     unit : CostUnit
         How its costs are printed.
     styles : tuple of VehicleStyle
@@ -113,13 +114,14 @@ def find(
     """
     check_plan(plan, net)
     check_styles(styles, plan)
-    plan = with_alone_costs(plan, net, weights)
+    plan, net = laid_out(with_alone_costs(plan, net, weights), net)
     names = [trip.vehicle for trip in plan.trips]
     looks = vehicle_styles(names) if styles is None else [styles[name] for name in names]
     groups = tuple(one.vehicles for one in plan.platoons if len(one.vehicles) > 1)
     platoons = tuple(stretch for stretch in plan.stretches if stretch.together)
     solos = tuple(stretch for stretch in plan.stretches if not stretch.together)
-    opposite = opposite_gaps(net, (edge for stretch in plan.stretches for edge in stretch.edges))
+    road = (stretch.edges for stretch in plan.stretches if stretch.access is None)
+    opposite = opposite_gaps(net, (edge for edges in road for edge in edges))
     return Findings(
         plan=plan,
         net=net,

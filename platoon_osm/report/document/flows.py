@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...network.road_network import RoadNetwork
+from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ..drawing.basemap import ROUTE_STEPS, ROUTE_TOLERANCE_M, basemap_lines
 from ..drawing.lines import Lines
@@ -159,8 +160,9 @@ def flow_document_of(plan: Plan, net: RoadNetwork, *, title: str | None = None) 
 def _flows(plan: Plan, net: RoadNetwork) -> Iterator[Flow]:
     """Yield the roads used, for each number of vehicles that drive on them."""
     count: Counter[int] = Counter()
+    plan, net = laid_out(plan, net)
     for vehicle in plan.vehicles:
-        count.update(set(vehicle.edges))
+        count.update({edge for leg in vehicle.legs if leg.access is None for edge in leg.edges})
     edges = np.array(sorted(count), np.int64)
     used = np.array([count[int(edge)] for edge in edges], np.int64)
     for vehicles in sorted(set(used.tolist())):

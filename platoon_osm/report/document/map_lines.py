@@ -83,6 +83,8 @@ def solo_line(found: Findings, number: int) -> SoloLine:
     letter = found.styles[index].letter
     cost = stretch.shares[0].cost
     inferred = (f"{kilometres(stretch.inferred_m)} inferred",) if stretch.inferred_m > 0 else ()
+    met = fitted(stretch.access_at)
+    way = (f"Access by {met}: a straight line with a detour",) if stretch.access else ()
     return SoloLine(
         vehicle=index,
         length_m=stretch.length_m,
@@ -99,8 +101,13 @@ def solo_line(found: Findings, number: int) -> SoloLine:
         ),
         tip=Tip(
             head=f"{letter} alone" if name == letter else f"{letter} alone ({name})",
-            lines=(f"{kilometres(stretch.length_m)}, cost {found.unit.full(cost)}", *inferred),
+            lines=(
+                f"{kilometres(stretch.length_m)}, cost {found.unit.full(cost)}",
+                *inferred,
+                *way,
+            ),
         ),
+        access=stretch.access is not None,
     )
 
 

@@ -147,6 +147,8 @@ class SoloLine:
         In driving order.
     tip : Tip
         What it tells when pointed at.
+    access : bool
+        Whether it is a way between the road and a place beside it, drawn dotted.
     """
 
     vehicle: int
@@ -154,6 +156,7 @@ class SoloLine:
     cost: float
     parts: tuple[LanePart, ...]
     tip: Tip
+    access: bool = False
 
 
 @dataclass(frozen=True, slots=True)

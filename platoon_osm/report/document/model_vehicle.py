@@ -89,6 +89,10 @@ class Vehicle:
         Of road that the loader inferred.
     inferred_text : str
         The same for reading; empty if there is none.
+    access_m : float
+        Of ways between the road and places beside it.
+    access_text : str
+        Those for reading: how long, and where they meet the road; empty if there are none.
     fuel_l, alone_fuel_l : float
         As planned and alone.
     solo_cost, joint_cost, saved : float
@@ -124,6 +128,8 @@ class Vehicle:
     platoon_m: float
     inferred_m: float
     inferred_text: str
+    access_m: float
+    access_text: str
     fuel_l: float
     alone_fuel_l: float
     solo_cost: float

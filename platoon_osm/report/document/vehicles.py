@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ...plans.records import Stop as PlannedStop
+from ...plans.vehicles import VehiclePlan
 from ...shown_text import fitted
 from ..markup.quantities import kilometres
 from .driver_fatigue import fatigue_along
@@ -64,6 +65,8 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         platoon_m=own.platoon_m,
         inferred_m=inferred_m,
         inferred_text=kilometres(inferred_m) if inferred_m > 0 else "",
+        access_m=own.access_m,
+        access_text=_access(own),
         fuel_l=own.fuel_l,
         alone_fuel_l=own.alone.fuel_l,
         solo_cost=own.solo_cost,
@@ -84,6 +87,15 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         ),
         fatigue=fatigue_along(own, plan.times[index]),
         times=vehicle_day(plan, index),
+    )
+
+
+def _access(own: VehiclePlan) -> str:
+    """Return the ways between the road and places beside it: "4.2 km to A 4 exit Novara Est"."""
+    return " and ".join(
+        f"{kilometres(leg.length_m)} {'to' if place == 0 else 'from'} {fitted(leg.access_at)}"
+        for place, leg in enumerate(own.legs)
+        if leg.role == "access"
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...atomic_file import whole_file
 from ...network.road_network import ROAD_CLASSES, RoadNetwork
+from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...plans.records import Event, Stretch
 from ...shown_text import shown
@@ -53,7 +54,7 @@ def to_geodataframe(plan: Plan, net: RoadNetwork) -> geopandas.GeoDataFrame:
         A plan of another network.
     """
     rows = leg_rows(plan, net)
-    return _lines_frame(leg_columns(plan, rows), [net.path_shape(row.edges) for row in rows])
+    return _lines_frame(leg_columns(plan, rows), [row.line for row in rows])
 
 
 def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
@@ -82,11 +83,12 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
 
     path = check_path(path)
     routes = to_geodataframe(plan, net)
-    platoons = [stretch for stretch in plan.stretches if stretch.together]
+    laid, cut = laid_out(plan, net)
+    platoons = [stretch for stretch in laid.stretches if stretch.together]
     names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
     layers: list[tuple[str, Any, str | None]] = [
         ("routes", routes, "LineString"),
-        ("platoons", _platoons(net, platoons, names), "LineString"),
+        ("platoons", _platoons(cut, platoons, names), "LineString"),
         ("points", _points(plan, plan.events, names), "Point"),
         ("network", _network(net), "LineString"),
         ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...network.road_network import RoadNetwork
+from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...shown_text import shown
 from ..document.checks import check_plan
@@ -29,7 +33,7 @@ class LegRow:
     leg : int
         Its number among the vehicle's, from 1.
     role : str
-        "solo" or "platoon".
+        "solo", "platoon", or "access" for a way between the road and a place beside it.
     partners : str
         The other vehicles on it.
     origin, destination : str
@@ -48,8 +52,8 @@ class LegRow:
         ISO 8601; None without times.
     waiting_s : float or None
         How long the vehicle waits before it; None without times.
-    edges : tuple of int
-        The road it follows.
+    line : ndarray of float, (k, 2)
+        Longitude and latitude of the road it follows [deg].
     """
 
     vehicle: str
@@ -70,7 +74,7 @@ class LegRow:
     start_time: str | None
     end_time: str | None
     waiting_s: float | None
-    edges: tuple[int, ...]
+    line: NDArray[np.float64]
 
 
 def leg_rows(plan: Plan, net: RoadNetwork) -> list[LegRow]:
@@ -94,7 +98,7 @@ def leg_rows(plan: Plan, net: RoadNetwork) -> list[LegRow]:
         A plan of another network.
     """
     check_plan(plan, net)
-    return list(_rows(plan, net))
+    return list(_rows(*laid_out(plan, net)))
 
 
 def _rows(plan: Plan, net: RoadNetwork) -> Iterator[LegRow]:
@@ -115,7 +119,7 @@ def _rows(plan: Plan, net: RoadNetwork) -> Iterator[LegRow]:
                 partners=", ".join(shown(name) for name in leg.partners),
                 origin=shown(vehicle.origin.name),
                 destination=shown(vehicle.destination.name),
-                roads=roads_of(net, leg.edges),
+                roads=roads_of(net, leg.edges) if leg.access is None else "",
                 length_m=leg.length_m,
                 time_s=leg.time_s,
                 fuel_l=leg.fuel_l,
@@ -126,7 +130,7 @@ def _rows(plan: Plan, net: RoadNetwork) -> Iterator[LegRow]:
                 start_time=start,
                 end_time=end,
                 waiting_s=waiting,
-                edges=leg.edges,
+                line=net.path_shape(leg.edges),
             )
 
 
@@ -145,7 +149,7 @@ def leg_columns(plan: Plan, rows: Sequence[LegRow]) -> dict[str, list[Cell]]:
     dict of str to list
         The values of each column by its name.
     """
-    left_out = ("edges", *(TIMED if plan.timetable is None else ()))
+    left_out = ("line", *(TIMED if plan.timetable is None else ()))
     names = [one.name for one in fields(LegRow) if one.name not in left_out]
     return {name: [getattr(row, name) for row in rows] for name in names}
 

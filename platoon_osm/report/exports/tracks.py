@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...atomic_file import all_or_none, whole_file
 from ...network.road_network import RoadNetwork
+from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...plans.records import PlatoonPoint, Stop
 from ...plans.timetable import VehicleTimes
@@ -30,6 +31,8 @@ __all__ = ["write_csv", "write_gpx"]
 GPX = "http://www.topografix.com/GPX/1/1"
 
 TIMES_LEFT_OUT = "times left out: those of the plan name no time zone, and GPX wants UTC"
+
+IN_WORDS = {"platoon": "in platoon", "access": "between the road and a place beside it"}
 
 FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
 """Full-width ones count in some spreadsheets."""
@@ -65,6 +68,7 @@ def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> l
     """
     folder = check_path(folder)
     check_plan(plan, net)
+    plan, net = laid_out(plan, net)
     ElementTree.register_namespace("", GPX)
     stems = file_stems([vehicle.vehicle for vehicle in plan.vehicles])
     written: list[Path] = []
@@ -102,8 +106,7 @@ def _gpx(
         track,
         "desc",
         "; ".join(
-            f"{kilometres(leg.length_m)} {'in platoon' if leg.role == 'platoon' else 'alone'}"
-            for leg in vehicle.legs
+            f"{kilometres(leg.length_m)} {IN_WORDS.get(leg.role, 'alone')}" for leg in vehicle.legs
         ),
     )
     for number, leg in enumerate(vehicle.legs):

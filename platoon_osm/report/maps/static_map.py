@@ -18,6 +18,9 @@ from .static_marks import placed_marks
 
 __all__ = ["NARROW", "small_maps", "static_map", "static_texts", "town_names"]
 
+DOTS = "0.1 8"
+"""Dashes of a way beside the road: dots, with round ends."""
+
 NARROW = 2.1
 """How much larger marks and names are drawn for a screen that shows the map at half its size."""
 
@@ -216,8 +219,8 @@ def _solo_routes(
                 "path": line.path,
                 "colour": vehicle.colour,
                 "width": f"{width:.3g}",
-                "dash": vehicle.stroke,
-                "cap": vehicle.cap,
+                "dash": DOTS if solo.access else vehicle.stroke,
+                "cap": "round" if solo.access else vehicle.cap,
             },
         )
 

@@ -48,6 +48,8 @@ def _rows(document: Document) -> Iterator[Tree]:
         yield from (_group(document, number) for number in range(len(document.groups)))
     else:
         yield from (_vehicle(vehicles, index) for index in range(len(vehicles)))
+    if any(line.access for line in document.solos):
+        yield Piece("legend-plain", {"swatch": Piece("swatch-access"), "text": "Way to the road"})
     yield _row("ends", Piece("swatch-ends"), "Starts and destinations")
     kinds = {event.kind for event in document.events}
     if "merge" in kinds:

@@ -175,6 +175,14 @@ def _notes(document: Document) -> Tree:
         lead += ":" if reason else "."
         face = badge(vehicles[0]) if len(vehicles) == 1 else NOTHING
         notes.append(Piece("note-vehicle", {"badge": face, "lead": lead, "text": reason}))
+    ways = [vehicle for vehicle in document.vehicles if vehicle.access_text]
+    if ways:
+        text = (
+            "Ways between the road and a place beside it, drawn dotted, are straight lines whose "
+            "length has a detour added; they count in every total:"
+        )
+        listed = "; ".join(f"{vehicle.letter} {vehicle.access_text}" for vehicle in ways)
+        notes.append(Piece("note-access", {"text": text, "listed": listed}))
     guessed = [vehicle for vehicle in document.vehicles if vehicle.inferred_text]
     if guessed:
         listed = ", ".join(f"{v.letter} {v.inferred_text}" for v in guessed)

@@ -13,16 +13,20 @@ from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ....atomic_file import whole_file
 from ....errors import MapDataError
+from ....network.placed import PlacedNetwork, network_below
 from ....network.road_network import RoadNetwork
 from ...kept_topology import KeptTopology, hierarchy_path
 from ..runtime.threads import cores
 from .ranks import block_rows, runs
 from .symbolic import Topology, build_topology
 
-__all__ = ["hierarchy_path", "topology_hash", "topology_of"]
+__all__ = ["hierarchy_path", "order_with_places", "topology_hash", "topology_of"]
+
+Ints = NDArray[np.int32]
 
 FORMAT_VERSION = 3
 log = logging.getLogger(__name__)
@@ -53,13 +57,39 @@ def topology_of(net: RoadNetwork, threads: int | None = None) -> Topology:
     file = kept.file
     found = _read(hierarchy_path(file), net) if file is not None else None
     if found is None:
-        found = build_topology(
-            net.tail, net.head, net.lon, net.lat, cores() if threads is None else threads
-        )
+        cores_used = cores() if threads is None else threads
+        below = network_below(net)
+        order = None if below is net else order_with_places(net, topology_of(below, threads).node)
+        found = build_topology(net.tail, net.head, net.lon, net.lat, cores_used, order)
         if file is not None:
             _write(hierarchy_path(file), net, found)
     kept.keep(net, found)
     return found
+
+
+def order_with_places(net: RoadNetwork, below: Ints) -> Ints:
+    """Return the order of contraction of a network with places, from that of the one without.
+
+    A place inside an edge joins two nodes and nothing else, so it goes first. A place beside the
+    road joins several, which would all become neighbours of each other if it went early: it goes
+    last.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network with places.
+    below : ndarray of int, (n - p,)
+        The order of the network below.
+
+    Returns
+    -------
+    ndarray of int, (n,)
+        Nodes.
+    """
+    assert isinstance(net, PlacedNetwork)
+    places = np.arange(len(below), net.n)
+    on_road = net.place_edge >= 0
+    return np.concatenate([places[on_road], below, places[~on_road]]).astype(np.int32)
 
 
 def topology_hash(net: RoadNetwork) -> str:

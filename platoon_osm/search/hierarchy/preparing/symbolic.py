@@ -107,7 +107,14 @@ class Topology:
         return sorted(pairs, key=lambda pair: int(self.first[pair[0]] - self.first[pair[1]]))
 
 
-def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: int = 1) -> Topology:
+def build_topology(
+    tail: Ints,
+    head: Ints,
+    lon: Floats,
+    lat: Floats,
+    threads: int = 1,
+    order: Ints | None = None,
+) -> Topology:
     """Order and contract a network.
 
     Parameters
@@ -122,6 +129,8 @@ def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: in
         Latitudes [degrees].
     threads : int
         Cores to use.
+    order : ndarray of int, (n,), optional
+        The nodes in the order in which they are to be contracted, if it is known already.
 
     Returns
     -------
@@ -130,7 +139,8 @@ def build_topology(tail: Ints, head: Ints, lon: Floats, lat: Floats, threads: in
     """
     n = len(lon)
     near_first, near = neighbours(n, tail, head)
-    order = contraction_order(near_first, near, lon, lat, threads)
+    if order is None:
+        order = contraction_order(near_first, near, lon, lat, threads)
     rank = np.empty(n, np.int32)
     rank[order] = np.arange(n, dtype=np.int32)
     first, up, parent = _contract(near_first, near, order, rank)

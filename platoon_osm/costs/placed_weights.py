@@ -1,0 +1,84 @@
+"""What edges cost on a network that has places between its junctions, or beside its roads."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..network.placed import PlacedNetwork, is_beside
+from ..network.road_network import RoadNetwork
+from .objective import Objective, edge_weights
+from .weights import EdgeWeights
+
+__all__ = ["placed_weights"]
+
+
+def placed_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: str) -> EdgeWeights:
+    """Return what edges cost on a network that may have places between its junctions.
+
+    An objective is asked for all of them. Weights that were made for the network below are carried
+    over: a piece costs its share of the edge, and a way beside the road what the same length costs
+    alone on the road it leads to. In a platoon nobody saves on such a way.
+
+    Parameters
+    ----------
+    objective : Objective or EdgeWeights
+        Whose weights.
+    net : RoadNetwork
+        The network they are to be used on.
+    where : str
+        Who asks, for messages.
+
+    Returns
+    -------
+    EdgeWeights
+        Those of this network.
+
+    Raises
+    ------
+    ScenarioError
+        As `edge_weights`.
+    """
+    if not isinstance(net, PlacedNetwork) or net.below is None:
+        return edge_weights(objective, net, where)
+    way = net.below_edge < 0
+    if not isinstance(objective, EdgeWeights):
+        found = edge_weights(objective, net, where)
+        solo = found.solo
+        platoon, master = (np.where(way, solo, own) for own in (found.platoon, found.master))
+        return replace(found, platoon=platoon, master=master)
+    own = edge_weights(objective, net.below, where)
+    share = net.ends - net.begins
+    solo, platoon, master = (
+        np.where(way, 0.0, weight[net.below_edge] * share)
+        for weight in (own.solo, own.platoon, own.master)
+    )
+    for edge in np.flatnonzero(way).tolist():
+        cost = _solo_per_metre(net, own, edge) * float(net.length_m[edge])
+        solo[edge] = platoon[edge] = master[edge] = cost
+    identity = net.identity() if own.network else ""
+    return replace(own, solo=solo, platoon=platoon, master=master, network=identity)
+
+
+def _solo_per_metre(net: PlacedNetwork, own: EdgeWeights, edge: int) -> float:
+    """Return the cost alone of a metre of the roads that a way from beside the road leads to."""
+    assert net.below is not None
+    tail, head = int(net.tail[edge]), int(net.head[edge])
+    first = net.below.n
+    node = head if is_beside(net, tail) else tail
+    if node >= first:
+        edges = net.place_edge[node - first : node - first + 1]
+    else:
+        below = net.below
+        into, first_in = below.incoming()
+        edges = np.concatenate(
+            [
+                np.arange(below.first_out[node], below.first_out[node + 1]),
+                into[first_in[node] : first_in[node + 1]],
+            ]
+        )
+    length = float(net.below.length_m[edges].sum())
+    if length == 0:
+        edges, length = np.arange(net.below.m), float(net.below.length_m.sum())
+    return float(own.solo[edges].sum()) / length if length else 0.0
