@@ -18,10 +18,10 @@ from pathlib import Path
 
 from .errors import PlatoonError, ScenarioError
 from .interrupts import held_back
-from .leftovers import forget, make_folder, remove
+from .leftovers import DRAFT, forget, make_folder, remove
 from .output_paths import checked_file, checked_folder
 
-__all__ = ["all_or_none", "new_folder", "whole_file"]
+__all__ = ["all_or_none", "filled_folder", "whole_file"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,12 +37,13 @@ class _Batch:
 
     def __init__(self) -> None:
         self.moves: list[_Move] = []
-        self.drafts: list[Path] = []
+        self.drafts: dict[Path, Path] = {}
+        """Folders of drafts, each with the folder that it stands for."""
         self.made: list[Path] = []
 
-    def draft_folder(self, beside: Path) -> Path:
-        folder = beside / f".draft-{os.urandom(8).hex()}"
-        self.drafts.append(folder)
+    def draft_folder(self, place: Path, named: Path) -> Path:
+        folder = place / f"{DRAFT}{os.urandom(8).hex()}"
+        self.drafts[folder] = named
         make_folder(folder, 0o700)
         return folder
 
@@ -51,6 +52,7 @@ class _Batch:
         done: list[tuple[_Move, Path | None]] = []
         try:
             for move in self.moves:
+                checked_file(move.target, move.refusal)  # somebody may have been quicker
                 before = _kept(move) if len(self.moves) > 1 else None
                 try:
                     move.draft.replace(move.target)
@@ -67,7 +69,7 @@ class _Batch:
         self.made.clear()
 
     def clean(self) -> None:
-        for folder in (*self.drafts, *reversed(self.made)):
+        for folder in (*reversed(self.drafts), *reversed(self.made)):
             remove(folder)
 
 
@@ -81,7 +83,7 @@ def all_or_none() -> Iterator[None]:
     Yields
     ------
     None
-        Nothing; `whole_file` and `new_folder` know that they stand in the block.
+        Nothing; `whole_file` and `filled_folder` know that they stand in the block.
     """
     with _batch():
         yield
@@ -144,14 +146,21 @@ def whole_file(
     target = checked_file(path, refusal, suffixes)
     named = Path(path)
     with _batch() as batch:
+        # A writer that was given a draft writes whole files too, and people know them by its name.
+        is_inner = target.parent in batch.drafts
+        if is_inner:
+            named = batch.drafts[target.parent] / target.name
         try:
-            folder = batch.draft_folder(target.parent)
+            folder = batch.draft_folder(target.parent, named.parent)
         except OSError as error:
             raise _refused(named, refusal, error) from error
-        draft = folder / f"draft{suffixes[0] if suffixes else target.suffix}"
+        draft = folder / _draft_name(target, suffixes)
         try:
             yield draft
             _take_over_rights(draft, target)
+            if is_inner:
+                draft.replace(target)
+                return
             if synced:
                 _bring_to_disk(draft)
         except OSError as error:
@@ -160,22 +169,24 @@ def whole_file(
 
 
 @contextmanager
-def new_folder(
+def filled_folder(
     path: str | os.PathLike[str], refusal: type[PlatoonError] = ScenarioError
 ) -> Iterator[Path]:
-    """Make a folder with its parents, if it is not there; if the block fails it is gone again.
+    """Give a folder to write files into, and move them into `path` once the block ends well.
+
+    The folder at `path` is made with its parents, if it is not there; other files in it stay.
 
     Parameters
     ----------
     path : path-like
         The folder.
     refusal : type of PlatoonError
-        The error to raise if it cannot be made.
+        The error to raise if it cannot be made, or a file in it cannot be written.
 
     Yields
     ------
     Path
-        The folder, which exists.
+        Where to write.
 
     Raises
     ------
@@ -192,14 +203,36 @@ def new_folder(
         except OSError as error:
             told = error.strerror or error
             raise refusal(f"{path}: cannot be made ({told}); name another folder") from error
-        yield Path(path)
+        named = Path(path)
+        try:
+            draft = batch.draft_folder(target, named)
+        except OSError as error:
+            raise _refused(named, refusal, error) from error
+        yield draft
+        for file in sorted(draft.iterdir()):
+            if file.name.startswith(DRAFT):
+                continue
+            final = checked_file(target / file.name, refusal)
+            try:
+                _take_over_rights(file, final)
+                _bring_to_disk(file)
+            except OSError as error:
+                raise _refused(named / file.name, refusal, error) from error
+            batch.moves.append(_Move(file, final, named / file.name, refusal))
+
+
+def _draft_name(target: Path, suffixes: Sequence[str]) -> str:
+    """Return the name of a draft: its file's own, unless a writer would stumble over its suffix."""
+    if not suffixes or target.suffix.lower() in suffixes:
+        return target.name
+    return f"draft{suffixes[0]}"
 
 
 def _kept(move: _Move) -> Path | None:
     """Return another name of what a move replaces, to put it back; None if nothing is there."""
     if not move.target.exists():
         return None
-    before = move.draft.with_name("before")
+    before = move.draft.with_name(f"{DRAFT}{os.urandom(8).hex()}")
     try:
         os.link(move.target, before)
     except OSError:  # a file system without links

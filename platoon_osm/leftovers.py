@@ -9,15 +9,17 @@ from __future__ import annotations
 import atexit
 import os
 import shutil
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-__all__ = ["forget", "make_folder", "remove", "remove_all"]
+__all__ = ["DRAFT", "folder_if_filled", "forget", "make_folder", "remove", "remove_all"]
 
 _noted: dict[Path, int] = {}
 """Folders, with the process that made them: one that was forked must not tidy up for another."""
 
 DRAFT = ".draft-"
+"""How names of folders begin that hold drafts."""
 
 
 def make_folder(folder: Path, mode: int = 0o777) -> None:
@@ -70,6 +72,42 @@ def remove(folder: Path) -> None:
         with suppress(OSError):
             folder.rmdir()
     forget(folder)
+
+
+@contextmanager
+def folder_if_filled(folder: Path) -> Iterator[None]:
+    """Make a folder with its parents; if the block fails, those still empty are gone again.
+
+    Parameters
+    ----------
+    folder : Path
+        One that may be there.
+
+    Yields
+    ------
+    None
+        Nothing; the folder exists.
+
+    Raises
+    ------
+    OSError
+        It cannot be made.
+    """
+    missing = [place for place in (folder, *folder.parents) if not place.exists()]
+    try:
+        for place in reversed(missing):
+            try:
+                make_folder(place)
+            except FileExistsError:
+                if not place.is_dir():  # made by another process since
+                    raise
+        yield
+    except BaseException:
+        for place in missing:
+            remove(place)
+        raise
+    for place in missing:
+        forget(place)
 
 
 def remove_all() -> None:

@@ -93,7 +93,7 @@ def checked_file(
     if status is not None and not stat.S_ISREG(status.st_mode):
         kind = next((name for is_it, name in KINDS if is_it(status.st_mode)), "no file")
         remedy = f"give the name of a file, such as {_model(suffixes)}"
-        raise refusal(f"{place}: cannot be written, it is {kind}; {remedy}")
+        raise refusal(f"{place}: is {kind} and cannot be written; {remedy}")
     target = Path(os.path.realpath(place))
     if status is not None and not os.access(target, os.W_OK):
         raise refusal(f"{place}: cannot be written; change its rights or name another file")
@@ -131,7 +131,7 @@ def checked_folder(
     place = _as_path(path, refusal)
     status = _status(place, refusal)
     if status is not None and not stat.S_ISDIR(status.st_mode):
-        raise refusal(f"{place}: is no folder; name one to write into")
+        raise refusal(f"{place}: is a file; name a folder to write into")
     target = Path(os.path.realpath(place))
     there = target
     while not there.exists() and there != there.parent:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
-import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 
 import click
 
 from ..errors import PlatoonError
+from ..interrupts import ended_by_signals
+from ..leftovers import remove_all
 
 __all__ = ["NAME", "status_of", "tell"]
 
@@ -32,7 +31,7 @@ def status_of(run: Callable[[], None]) -> int:
         0, or 2 when the input is wrong or somebody interrupted it.
     """
     try:
-        with _ended_as_interrupted():
+        with ended_by_signals():
             run()
             sys.stdout.flush()
     except click.exceptions.Exit as asked:  # after --help and --version
@@ -49,8 +48,10 @@ def status_of(run: Callable[[], None]) -> int:
     except OSError as error:
         where = f"{error.filename}: " if error.filename else ""
         return _refuse(f"{where}{error.strerror or error}; check the path and its rights")
-    except (KeyboardInterrupt, click.Abort):
-        return _refuse("interrupted; nothing was left half written")
+    except (KeyboardInterrupt, click.Abort) as interrupt:
+        return _refuse(f"interrupted; {_kept(interrupt)}")
+    finally:
+        remove_all()
     return 0
 
 
@@ -74,6 +75,11 @@ def _refuse(message: str, who: str = NAME) -> int:
     return 2
 
 
+def _kept(interrupt: BaseException) -> str:
+    """Return what an interrupt leaves, as whoever was interrupted says it."""
+    return str(interrupt) or "nothing was left half written"
+
+
 def _usage(error: click.UsageError) -> str:
     """Say what is wrong with what was typed, and where help is."""
     where = error.ctx.command_path if error.ctx else NAME
@@ -87,16 +93,3 @@ def _usage(error: click.UsageError) -> str:
         text = error.format_message()
         said = text[:1].lower() + text[1:].rstrip(".") if text[1:2].islower() else text
     return f"{said}; see {where} --help"
-
-
-@contextmanager
-def _ended_as_interrupted() -> Iterator[None]:
-    """Treat a request to end, as `timeout` and schedulers send it, like Ctrl-C: clean up first."""
-    if threading.current_thread() is not threading.main_thread():
-        yield  # only there may a handler be set
-        return
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
+from click.core import ParameterSource
 
 from ..errors import ScenarioError
+from .outputs import output_kind
 
 __all__ = [
     "FILE",
@@ -20,9 +21,9 @@ __all__ = [
     "classes_of",
     "classes_option",
     "network_options",
-    "new_file",
     "output_option",
     "truck_options",
+    "was_given",
 ]
 
 Run = TypeVar("Run", bound=Callable[..., Any])
@@ -36,32 +37,6 @@ FOLDER.name = "folder"
 
 LIMITER = ("--limiter-kmh", "--limiter", "limiter_kmh")
 """Names of one option; the longer is the key of scenarios."""
-
-
-def new_file(text: str) -> Path:
-    """Read the name of a file to write, and refuse it before any work is done for it.
-
-    Parameters
-    ----------
-    text : str
-        What was typed.
-
-    Returns
-    -------
-    Path
-        The same.
-
-    Raises
-    ------
-    ScenarioError
-        Its folder does not exist, or it is a folder itself.
-    """
-    path = Path(text)
-    if not path.parent.is_dir():
-        raise ScenarioError(f"{path}: its folder does not exist; make it first")
-    if path.is_dir():
-        raise ScenarioError(f"{path}: is a folder; give the name of a file to write")
-    return path
 
 
 def classes_of(text: str) -> tuple[str, ...]:
@@ -88,9 +63,29 @@ def classes_of(text: str) -> tuple[str, ...]:
     return classes
 
 
-output_option = partial(
-    click.option, "-o", "--output", type=new_file, metavar="FILE", required=True
-)
+def output_option(
+    help: str, suffixes: Sequence[str], *, is_text: bool = False
+) -> Callable[[Run], Run]:
+    """Return the option -o of a verb that writes one file.
+
+    Parameters
+    ----------
+    help : str
+        What is written.
+    suffixes : sequence of str
+        Those it has.
+    is_text : bool
+        Whether it may go to standard output.
+
+    Returns
+    -------
+    callable
+        Adds the option to a verb, which takes it as `output`.
+    """
+    kind = output_kind("-o", suffixes, is_text=is_text)
+    return click.option("-o", "--output", type=kind, metavar="FILE", required=True, help=help)
+
+
 classes_option = click.option(
     "--classes",
     type=classes_of,
@@ -105,6 +100,24 @@ _infer_links = click.option(
     is_flag=True,
     help="Add likely connectors where the map lacks ramps; they are marked inferred.",
 )
+
+
+def was_given(ctx: click.Context, name: str) -> bool:
+    """Return whether somebody typed an option, be it with its default value.
+
+    Parameters
+    ----------
+    ctx : click.Context
+        Of the verb.
+    name : str
+        What the verb takes it by.
+
+    Returns
+    -------
+    bool
+        False where the default stands.
+    """
+    return ctx.get_parameter_source(name) is not ParameterSource.DEFAULT
 
 
 def truck_options(verb: Run) -> Run:

@@ -24,6 +24,10 @@ __all__ = ["EXPORTERS", "Exporter", "Writes"]
 
 AnyPath = str | os.PathLike[str]
 
+HTM = (".htm",)
+FIGURES = ("corridor.*", "costs.*", "way.*", "schedule.*")
+"""What `write_figures` writes."""
+
 
 class Writes(Protocol):
     """A function that writes a plan somewhere."""
@@ -40,7 +44,8 @@ class Writes(Protocol):
         net : RoadNetwork
             The network it was made on.
         path : path-like
-            A file to write, whole or not at all; or a folder that exists.
+            A file to write; or a folder that exists. The command moves what is written to the
+            place that was asked for once all is written.
         title : str or None
             Heads it, where it has a heading.
 
@@ -68,6 +73,12 @@ class Exporter:
         Writes a plan; called with plan, network, path and `title`.
     is_folder : bool
         Whether it is several files in a folder of their own, which exists when `write` is called.
+    also : tuple of str
+        Other suffixes that such files have.
+    is_text : bool
+        Whether it may be written to standard output.
+    holds : tuple of str
+        Patterns of the names of files in the folder; by default any.
     """
 
     name: str
@@ -75,6 +86,9 @@ class Exporter:
     suffix: str
     write: Writes
     is_folder: bool = False
+    also: tuple[str, ...] = ()
+    is_text: bool = False
+    holds: tuple[str, ...] = ("*",)
 
 
 def _html(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
@@ -128,13 +142,27 @@ def _figures(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None =
 EXPORTERS: Registry[Exporter] = Registry(
     "exporter",
     [
-        Exporter("html", "self-contained map to write", ".html", _html),
+        Exporter("html", "self-contained map to write", ".html", _html, also=HTM, is_text=True),
         Exporter("gpkg", "GeoPackage to write", ".gpkg", _gpkg),
-        Exporter("json", "plan as JSON to write", ".json", _json),
-        Exporter("csv", "legs as CSV to write", ".csv", _csv),
-        Exporter("flows", "page for many vehicles to write", ".html", _flows),
-        Exporter("gpx", "folder for a GPX track of each vehicle", "", _gpx, is_folder=True),
-        Exporter("figures", "folder for figures fit for a paper", "", _figures, is_folder=True),
+        Exporter("json", "plan as JSON to write", ".json", _json, is_text=True),
+        Exporter("csv", "legs as CSV to write", ".csv", _csv, is_text=True),
+        Exporter("flows", "page for many vehicles", ".html", _flows, also=HTM, is_text=True),
+        Exporter(
+            "gpx",
+            "folder for a GPX track of each vehicle",
+            "",
+            _gpx,
+            is_folder=True,
+            holds=("*.gpx",),
+        ),
+        Exporter(
+            "figures",
+            "folder for figures fit for a paper",
+            "",
+            _figures,
+            is_folder=True,
+            holds=FIGURES,
+        ),
     ],
 )
 """In the order in which the command offers and writes them."""

@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import Executor, ProcessPoolExecutor
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
-from ..atomic_file import whole_file
+from ..atomic_file import all_or_none, filled_folder, whole_file
 from ..errors import ScenarioError, brief
+from ..output_paths import Output, check_outputs
 from .monte_carlo import StudyResult, run_study
 from .options import StudyOptions
-from .parts import make_folder
+from .parts import kept_folder, part_path
 from .settings import Study
+from .workers import workers
 
 __all__ = ["run_command", "studies_of", "write_results"]
+
+HOLDS = ("figure-*", "comparison.csv", "results.parquet", "report.html", "runs")
+"""What a study writes into its folder."""
 
 MARKS = "<!-- study:begin -->", "<!-- study:end -->"
 
@@ -127,23 +131,55 @@ def run_command(
         _marked(options.table)
     if options.workers is not None and options.workers < 1:
         raise ScenarioError(f"--workers {options.workers}: give 1 or more")
-    if options.output.exists() and not options.output.is_dir():
-        raise ScenarioError(f"{options.output}: is a file; name a folder")
-    make_folder(options.output)
-    results = []
-    networks = sum(study.runs for study in studies)
-    with _workers(options.workers) as executor, counted(networks) as advance:
-        for study in studies:
-            folder = options.output / "runs"
-            results.append(run_study(study, options.seed, executor, folder, advance))
-    command = _command(options)
-    written, paragraph, table = write_results(results, options.output, command)
-    if options.table is not None:
-        _renew(options.table, table)
-        written.append(options.table)
+    check_outputs(*_written(options))
+    with kept_folder(options.output):
+        results = _run(studies, options, counted)
+        with all_or_none():
+            with filled_folder(options.output) as draft:
+                files, paragraph, table = write_results(results, draft, _command(options))
+            written = [options.output / file.name for file in files]
+            if options.table is not None:
+                _renew(options.table, table)
+                written.append(options.table)
     say(paragraph)
     for path in written:
         say(f"Written: {path}")
+
+
+def _run(
+    studies: Sequence[Study],
+    options: StudyOptions,
+    counted: Callable[[int], AbstractContextManager[Callable[[int], None]]],
+) -> list[StudyResult]:
+    """Run all readings; who interrupts it hears how many runs are kept, and where."""
+    folder = options.output / "runs"
+    networks = sum(study.runs for study in studies)
+    try:
+        with workers(options.workers) as executor, counted(networks) as advance:
+            return [run_study(study, options.seed, executor, folder, advance) for study in studies]
+    except KeyboardInterrupt:
+        kept = sum(
+            part_path(folder, study.key(options.seed), run).is_file()
+            for study in studies
+            for run in range(study.runs)
+        )
+        raise KeyboardInterrupt(
+            f"{kept:,} of {networks:,} runs are kept in {folder}, and the same command goes on "
+            "from there"
+            if kept
+            else f"none of {networks:,} runs was finished, and nothing is kept"
+        ) from None
+
+
+def _written(options: StudyOptions) -> tuple[list[Output], list[Path]]:
+    """Return what a study writes and which files it reads."""
+    outputs = [Output("-o", options.output, holds=HOLDS)]
+    if options.table is not None:
+        outputs.append(Output("--table", options.table))
+    read = [Path(options.network)] if options.network else []
+    if options.flows is not None:
+        read += [options.flows, options.flows.with_name("segments.csv")]
+    return outputs, read
 
 
 def write_results(
@@ -242,26 +278,6 @@ def _command(options: StudyOptions) -> str:
         shown = Path(value).name if isinstance(value, Path) or name == "network" else value
         typed.append(f"--{name.replace('_', '-')}" + ("" if value is True else f" {shown}"))
     return " ".join(typed)
-
-
-@contextmanager
-def _workers(count: int | None) -> Iterator[Executor | None]:
-    import multiprocessing
-    import os
-
-    count = count or os.cpu_count() or 1
-    if count == 1:
-        yield None
-        return
-    # Fresh processes: a forked one would inherit the progress bar's thread half alive.
-    context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(count, mp_context=context)
-    try:
-        yield pool
-    except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
-        raise
-    pool.shutdown()
 
 
 def _marked(path: Path) -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +12,9 @@ from numpy.typing import NDArray
 
 from ..atomic_file import whole_file
 from ..errors import ScenarioError
+from ..leftovers import folder_if_filled
 
-__all__ = ["load_part", "make_folder", "part_path", "save_part"]
+__all__ = ["kept_folder", "load_part", "part_path", "save_part"]
 
 
 def part_path(folder: Path, key: str, run: int) -> Path:
@@ -35,25 +37,33 @@ def part_path(folder: Path, key: str, run: int) -> Path:
     return folder / key / f"run-{run:05d}.npz"
 
 
-def make_folder(folder: Path) -> None:
-    """Make a folder with its parents, if it is not there.
+@contextmanager
+def kept_folder(folder: Path) -> Iterator[None]:
+    """Make a folder with its parents, if it is not there; it stays if anything comes into it.
 
     Parameters
     ----------
     folder : Path
         The folder wanted.
 
+    Yields
+    ------
+    None
+        Nothing; the folder exists.
+
     Raises
     ------
     ScenarioError
         It cannot be made.
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ScenarioError(
-            f"{folder}: cannot be made ({error.strerror}); choose another folder"
-        ) from error
+    with ExitStack() as stack:
+        try:
+            stack.enter_context(folder_if_filled(folder))
+        except OSError as error:
+            raise ScenarioError(
+                f"{folder}: cannot be made ({error.strerror}); choose another folder"
+            ) from error
+        yield
 
 
 def save_part(path: Path, arrays: dict[str, NDArray[np.generic]]) -> None:
@@ -71,8 +81,7 @@ def save_part(path: Path, arrays: dict[str, NDArray[np.generic]]) -> None:
     ScenarioError
         The folder cannot be made or written.
     """
-    make_folder(path.parent)
-    with whole_file(path, synced=False) as draft:
+    with kept_folder(path.parent), whole_file(path, synced=False) as draft:
         np.savez(draft, **arrays)  # type: ignore[arg-type]
 
 

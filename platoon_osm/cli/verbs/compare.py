@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from ...errors import ScenarioError
+from ...output_paths import PAGES, Output, check_outputs
 from ..options import FILE, output_option
+from ..outputs import existing_files, speaker, write_all
 from ..progress import steps
 
 if TYPE_CHECKING:
@@ -30,8 +33,8 @@ Examples:
 )
 @click.argument("scenario", type=FILE, nargs=-1, required=True)
 @click.option("--cases", help="Such as A,B,C: each scenario in each of these cases.")
-@output_option(help="page.html to write.")
-def verb(scenario: tuple[Path, ...], cases: str | None, output: Path) -> None:
+@output_option("page.html to write.", PAGES, is_text=True)
+def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
     """Plan each SCENARIO, in one case or several, and write a page that shows them side by side.
 
     Several scenarios must name one network; they may differ in anything else, as in [costs].
@@ -47,6 +50,8 @@ def verb(scenario: tuple[Path, ...], cases: str | None, output: Path) -> None:
             raise ScenarioError(
                 f"{other.file}: names another network than {first.file}; compare plans on one"
             )
+    files = [file for each in scenarios for file in each.files]
+    check_outputs([output], [*files, *existing_files(first.network["source"])])
     variants = [variant for each in scenarios for variant in _in_cases(each, cases)]
     with steps(2 + len(variants)) as begin:
         begin(f"loading {first.network['source']}")
@@ -55,12 +60,14 @@ def verb(scenario: tuple[Path, ...], cases: str | None, output: Path) -> None:
         for title, each in variants:
             begin(f"planning {title}")
             plans.append(each.plan(net))
-        begin(f"writing {output}")
         titles = [title for title, _ in variants]
-        write_comparison(plans, net, output, titles=titles, title=first.title)
+        write = partial(write_comparison, plans, net, titles=titles, title=first.title)
+        write_all([(output, write)], begin)
+    say = speaker([output])
     for title, plan in zip(titles, plans, strict=True):
-        click.echo(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
-    click.echo(f"\nWritten: {output}")
+        say(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
+    if output.path is not None:
+        say(f"\nWritten: {output.path}")
 
 
 def _in_cases(scenario: Scenario, cases: str | None) -> Iterator[tuple[str, Scenario]]:

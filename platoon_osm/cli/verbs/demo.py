@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from ..options import FOLDER
+from ...output_paths import Output, check_outputs
+from ..outputs import output_kind, write_all
 from ..progress import steps
 
 __all__ = ["verb"]
@@ -17,8 +18,11 @@ SCENARIOS = ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c")
 
 
 @click.command("demo", short_help="plan cases A to D on the bundled map and draw them")
-@click.option("-o", "--output", type=FOLDER, default="out", help="Folder to write into.")
-def verb(output: Path) -> None:
+@click.option(
+    "-o", "--output", type=output_kind("-o", holds=("demo.html", "demo.gpkg")), metavar="FOLDER",
+    default="out", help="Folder to write into.",
+)  # fmt: skip
+def verb(output: Output) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
 
     Writes demo.html, a page to open in any browser, and demo.gpkg, for a GIS; both show case C.
@@ -27,10 +31,12 @@ def verb(output: Path) -> None:
     from ...report.exporters import EXPORTERS
     from ...sources.load import load_network
 
-    output.mkdir(parents=True, exist_ok=True)
+    assert output.path is not None  # a folder is no stream
     folder = resources.files("platoon_osm.scenarios")
-    files = {name: output / f"demo{EXPORTERS[name].suffix}" for name in ("html", "gpkg")}
-    with steps(1 + len(SCENARIOS) + len(files)) as begin:
+    files = {name: output.path / f"demo{EXPORTERS[name].suffix}" for name in ("html", "gpkg")}
+    if output.path.is_dir():
+        check_outputs([Output("-o", file) for file in files.values()])
+    with steps(2 + len(SCENARIOS)) as begin:
         begin("loading italy-motorways")
         net = load_network("italy-motorways")
         plans = []
@@ -40,9 +46,12 @@ def verb(output: Path) -> None:
             begin(f"planning {scenario.title}")
             plans.append((scenario.title, scenario.plan(net)))
         title, plan = plans[-1]
-        for name, file in files.items():
-            begin(f"writing {file}")
-            EXPORTERS[name].write(plan, net, file, title=title)
+
+        def write(into: Path) -> None:
+            for name, file in files.items():
+                EXPORTERS[name].write(plan, net, into / file.name, title=title)
+
+        write_all([(output, write)], begin)
     click.echo(repr(net)[1:-1])
     for title, plan in plans:
         click.echo(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")

@@ -6,7 +6,8 @@ from typing import Any
 
 import click
 
-from ..options import network_options
+from ...errors import ScenarioError
+from ..options import network_options, was_given
 
 __all__ = ["verb"]
 
@@ -26,6 +27,9 @@ def verb(source: str | None, **loading: Any) -> None:
     from ...sources.readers import READERS
 
     if source is None:
+        for option in (ctx := click.get_current_context()).command.params:
+            if option.name and was_given(ctx, option.name):
+                raise ScenarioError(f"{option.opts[0]}: is for loading a map; name one beside it")
         for bundled in BUNDLED_MAPS.values():
             click.echo(f"{bundled.name}: {bundled.about} ({bundled.licence})")
         click.echo("\nFiles that can be read:")

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from ...costs.fuel import FUEL_SAVINGS
 from ...costs.presets import PRESETS
+from ...output_paths import check_outputs
 from ...report.exporters import EXPORTERS, Exporter
 from ..asked import asked_options, asked_scenario
-from ..options import FILE, FOLDER, SectionOption, Sections, new_file
+from ..options import FILE, SectionOption, Sections
+from ..outputs import existing_files, output_kind, speaker, tell_written, write_all
 from ..progress import steps
+
+if TYPE_CHECKING:
+    from ...network.road_network import RoadNetwork
+    from ...plans.plan import Plan
 
 __all__ = ["verb"]
 
@@ -39,7 +46,12 @@ def _output(number: int, exporter: Exporter) -> click.Option:
     return SectionOption(
         [f"--{exporter.name}", f"output_{number}"],
         "What to write",
-        type=FOLDER if exporter.is_folder else new_file,
+        type=output_kind(
+            f"--{exporter.name}",
+            (exporter.suffix, *exporter.also) if exporter.suffix else (),
+            holds=exporter.holds if exporter.is_folder else (),
+            is_text=exporter.is_text,
+        ),
         metavar="FOLDER" if exporter.is_folder else "FILE",
         help=exporter.about[:1].upper() + exporter.about[1:] + ".",
     )
@@ -63,27 +75,31 @@ def verb(scenario: Path | None, **given: Any) -> None:
 
     SCENARIO is a TOML file, such as `platoon-osm scenario --example` prints. Options come before
     what it says; with --trips and --network there need be none.
+    The name - writes HTML, JSON or CSV to standard output, and the summary to standard error.
     """
     from ...sources.load import load_network
 
     if scenario is None and given["trips"] is None:
         raise click.UsageError("SCENARIO is required, or --trips with --network")
     asked = asked_scenario(scenario, given)
-    outputs = [
-        (exporter, path)
+    chosen = [
+        (exporter, output)
         for number, exporter in enumerate(EXPORTERS.values())
-        if (path := given.get(f"output_{number}"))
+        if (output := given.get(f"output_{number}"))
     ]
+    outputs = [output for _, output in chosen]
+    check_outputs(outputs, [*asked.files, *existing_files(asked.network["source"])])
     with steps(2 + len(outputs)) as begin:
         begin(f"loading {asked.network['source']}")
         net = load_network(**asked.network)
         begin("planning")
         plan = asked.plan(net)
-        for exporter, path in outputs:
-            begin(f"writing {path}")
-            if exporter.is_folder:
-                path.mkdir(parents=True, exist_ok=True)
-            exporter.write(plan, net, path, title=asked.title)
-    click.echo(plan.summary())
-    for _, path in outputs:
-        click.echo(f"Written: {path}")
+        write = partial(partial, _write, plan, net, asked.title)
+        write_all([(output, write(exporter)) for exporter, output in chosen], begin)
+    say = speaker(outputs)
+    say(plan.summary())
+    tell_written(outputs, say)
+
+
+def _write(plan: Plan, net: RoadNetwork, title: str, exporter: Exporter, path: Path) -> None:
+    exporter.write(plan, net, path, title=title)

@@ -7,8 +7,9 @@ from typing import Any
 
 import click
 
+from ...errors import ScenarioError
 from ...study.options import StudyOptions
-from ..options import FILE, FOLDER, SectionOption, Sections
+from ..options import FILE, SectionOption, Sections, was_given
 from ..progress import counted
 
 __all__ = ["verb"]
@@ -34,7 +35,7 @@ def _one_of(*words: str) -> click.Choice[str]:
     cls=Sections,
     short_help="repeat the paper's experiment, beside its numbers",
     params=[
-        _option(RUNS, "output", "Folder to write into.", "-o", kind=FOLDER),
+        _option(RUNS, "output", "Folder to write into.", "-o", kind=FILE),
         _option(RUNS, "runs", "Networks drawn for each reading."),
         _option(RUNS, "seed", "Of all draws."),
         _option(RUNS, "workers", "Processes; one for each core unless given.", kind=int),
@@ -94,4 +95,25 @@ def verb(**chosen: Any) -> None:
     """
     from ...study.command import run_command
 
+    _check_that_options_apply(click.get_current_context())
     run_command(StudyOptions(**chosen), click.echo, partial(counted, "networks"))
+
+
+def _check_that_options_apply(ctx: click.Context) -> None:
+    """Refuse options of random networks beside a real one, and the other way round."""
+    real = bool(ctx.params["network"])
+    for option in ctx.command.params:
+        section = getattr(option, "section", None)
+        on_random = section == RANDOM or option.name == "spawning"
+        if option.name is None or option.name == "network" or not was_given(ctx, option.name):
+            continue
+        if real and on_random:
+            raise ScenarioError(
+                f"{option.opts[-1]}: is for random networks, and --network names a real one; "
+                "leave one out"
+            )
+        if not real and section == REAL:
+            raise ScenarioError(
+                f"{option.opts[-1]}: is for a real network; name one with --network, or leave "
+                "it out"
+            )

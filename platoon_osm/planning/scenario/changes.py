@@ -63,7 +63,7 @@ def changed(
                 f"{table}: which network? add --network italy-motorways or a path to a map"
             )
         trips = tuple(read_trips(table, sheet))
-        scenario = Scenario(table, table.stem, {}, trips)
+        scenario = Scenario(table, table.stem, {}, trips, files=(Path(table),))
     chosen = PRESETS.find(scenario.preset if preset is None else preset)
     known("costs", costs, chosen.parameters)
     kept = scenario.costs if chosen.name == scenario.preset else {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -69,7 +70,9 @@ def read_scenario(
     data = read_toml(file)
     asked = None if trips is None else tuple(read_trips(trips, sheet))
     with told(file):
-        return _scenario(file, data, asked)
+        found = _scenario(file, data, asked)
+    table = _table(file, data.get("trips")) if trips is None else Path(trips)
+    return replace(found, files=(file,) if table is None else (file, table))
 
 
 def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | None) -> Scenario:
@@ -91,15 +94,23 @@ def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | Non
     )
 
 
-def _trips(file: Path, data: Any) -> tuple[Trip, ...]:
+def _table(file: Path, data: Any) -> Path | None:
+    """Return the table of trips that a scenario names; None if its trips stand in it."""
     if isinstance(data, str):
         data = {"file": data}
-    if isinstance(data, dict) and data:
-        known("trips", data, TABLE_KEYS)
-        if "file" not in data:
-            raise ScenarioError('trips has no file; write trips = "trips.csv"')
-        sheet = text_of("trips, sheet", data["sheet"]) if "sheet" in data else None
-        return tuple(read_trips(beside(file.parent, "trips", data["file"]), sheet))
+    if not (isinstance(data, dict) and data):
+        return None
+    known("trips", data, TABLE_KEYS)
+    if "file" not in data:
+        raise ScenarioError('trips has no file; write trips = "trips.csv"')
+    return Path(beside(file.parent, "trips", data["file"]))
+
+
+def _trips(file: Path, data: Any) -> tuple[Trip, ...]:
+    if (table := _table(file, data)) is not None:
+        named = isinstance(data, dict) and "sheet" in data
+        sheet = text_of("trips, sheet", data["sheet"]) if named else None
+        return tuple(read_trips(table, sheet))
     if not isinstance(data, list) or not data:
         raise ScenarioError(
             'no trips; add [[trips]] with vehicle, origin, destination, or trips = "trips.csv"'

@@ -42,6 +42,8 @@ class Scenario:
         Parameters of the costs.
     preset : str
         Name of the costs in `PRESETS`.
+    files : tuple of Path
+        What it was read from, itself and its table of trips; no output may replace them.
     """
 
     file: Path
@@ -51,6 +53,7 @@ class Scenario:
     options: Mapping[str, Any] = field(default_factory=dict)
     costs: Mapping[str, Any] = field(default_factory=dict)
     preset: str = DEFAULT_PRESET
+    files: tuple[Path, ...] = ()
 
     def objective(self) -> Objective:
         """Return the costs the scenario asks for.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Sequence
+from itertools import dropwhile
 
 __all__ = ["file_stems"]
 
@@ -55,9 +56,11 @@ def file_stems(names: Sequence[str]) -> list[str]:
 def _slug(name: str) -> str:
     text = unicodedata.normalize("NFKC", name).lower()
     kept = "".join(c if _is_letter(c) else " " for c in text)
-    words = [word for word in kept.split() if any(c.isalnum() for c in word)]
+    # A mark without a letter before it would stand on its neighbour.
+    words = ["".join(dropwhile(lambda c: not c.isalnum(), word)) for word in kept.split()]
     # Cut by bytes, never inside a letter.
-    short = "-".join(words).encode("utf-8", "ignore")[:MOST_BYTES].decode("utf-8", "ignore")
+    joined = "-".join(filter(None, words)).encode("utf-8", "ignore")
+    short = joined[:MOST_BYTES].decode("utf-8", "ignore")
     stem = unicodedata.normalize("NFC", short).strip("-")
     if not stem:
         return NAMELESS

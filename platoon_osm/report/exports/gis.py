@@ -18,6 +18,7 @@ from ..document.checks import check_path
 from ..document.findings import moment_of
 from ..document.provenance import credits, proof_text
 from ..markup.quantities import cost_unit
+from .geopackage import Layer, write_layers
 from .legs import leg_columns, leg_rows, roads_of
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def to_geodataframe(plan: Plan, net: RoadNetwork) -> geopandas.GeoDataFrame:
 
 
 def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
-    """Write a plan as a GeoPackage; it appears whole or not at all.
+    """Write a plan as a GeoPackage; it appears whole or not at all, the same bytes each time.
 
     Layers: `routes` (as `to_geodataframe`), `platoons` (stretches of one company), `points`
     (starts, destinations, merges, separations), `network` (all edges), `about` (a table: network,
@@ -79,34 +80,21 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
         A plan of another network, or a file that cannot be written.
     """
     import pandas as pd
-    import pyogrio
 
     path = check_path(path)
     routes = to_geodataframe(plan, net)
     laid, cut = laid_out(plan, net)
     platoons = [stretch for stretch in laid.stretches if stretch.together]
     names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
-    layers: list[tuple[str, Any, str | None]] = [
-        ("routes", routes, "LineString"),
-        ("platoons", _platoons(cut, platoons, names), "LineString"),
-        ("points", _points(plan, plan.events, names), "Point"),
-        ("network", _network(net), "LineString"),
-        ("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
+    layers = [
+        Layer("routes", routes, "LineString"),
+        Layer("platoons", _platoons(cut, platoons, names), "LineString"),
+        Layer("points", _points(plan, plan.events, names), "Point"),
+        Layer("network", _network(net), "LineString"),
+        Layer("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
     ]
     with whole_file(path, suffixes=(".gpkg",)) as draft:
-        for name, frame, kind in layers:
-            try:
-                pyogrio.write_dataframe(
-                    frame,
-                    draft,
-                    layer=name,
-                    driver="GPKG",
-                    append=draft.exists(),
-                    geometry_type=kind,
-                )
-            except pyogrio.errors.DataSourceError as error:
-                # As an OSError it is told like any other failure to write.
-                raise OSError(f"layer {name}: {str(error).splitlines()[0]}") from error
+        write_layers(draft, layers, plan.network.extracted or net.source.extracted)
 
 
 def _lines_frame(columns: Mapping[str, Any], lines: Iterable[Any]) -> geopandas.GeoDataFrame:

@@ -321,6 +321,12 @@ def _why(said: str) -> str:
     """Say in one line what libosmium found wrong, and what to do."""
     if any(word in said for word in CUT_SHORT):
         return f"the file is cut short or damaged ({said}); download it again"
+    if "Write failed" in said or "No space" in said:
+        # What is read is filtered into a temporary file first.
+        return (
+            f"cannot be read, for there is no room for temporary files in {tempfile.gettempdir()} "
+            f"({said}); free some, or name another folder in TMPDIR"
+        )
     return f"not a readable OSM file ({said}); download the extract again"
 
 
