@@ -11,6 +11,9 @@ from ..errors import NetworkError, brief
 
 __all__ = ["coordinates_in"]
 
+LONGEST = 80
+"""Characters of a coordinate at most; longer texts are names."""
+
 BRACKETS = str.maketrans("", "", "()[]")
 POINT = r"[+-]?\d+(?:\.\d*)?"
 COMMA = r"[+-]?\d+(?:,\d+)?"
@@ -49,6 +52,8 @@ def coordinates_in(text: str) -> tuple[float, float] | None:
     """
     # Typographers' minus, and a blank that does not break.
     plain = " ".join(text.replace("\u2212", "-").translate(BRACKETS).split())
+    if len(plain) > LONGEST:
+        return None
     if AMBIGUOUS.fullmatch(plain):
         raise NetworkError(
             f"place {brief(text)}: may be one number or two; write longitude and latitude with a "

@@ -46,15 +46,16 @@ def read_geopackage(file: Path, layer: str | None) -> list[Row]:
     ScenarioError
         No GeoPackage, no such layer, a geometry of another kind, or none of the places given.
     """
-    import geopandas
     import pyogrio
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of a name in upper case, and of what no column is
         try:
-            layers = [str(name) for name in pyogrio.list_layers(file)[:, 0]]
+            # GDAL goes by the name where there is one, so a file of another name comes without.
+            content = file if file.suffix.lower() == ".gpkg" else file.read_bytes()
+            layers = [str(name) for name in pyogrio.list_layers(content)[:, 0]]
             name = _chosen(file, layers, layer)
-            table = geopandas.read_file(file, layer=name)
+            table = pyogrio.read_dataframe(content, layer=name)
         except ScenarioError:
             raise
         except Exception as error:  # GDAL's kinds of error are many

@@ -1,7 +1,7 @@
 """The text of a file, whichever program saved it; what is no text is refused by its real name.
 
-UTF-8 and UTF-16 are told by their byte order mark. UTF-16 without a mark is known by its NUL bytes,
-of which plain text has none: they stand at every second place, and at which tells the order.
+UTF-8 and UTF-16 are told by their byte order mark. UTF-16 without a mark is known by the NUL bytes
+of its first characters, of which plain text has none; where they stand tells the order.
 Windows-1252 cannot be told from its siblings for sure, so it is named as a guess and refused:
 a vehicle's name read wrongly would go into every table.
 """
@@ -18,9 +18,6 @@ __all__ = ["beginning_of", "kind_by_content", "path_of", "read_text"]
 
 MOST_BYTES = 256 * 2**20
 """No table of trips is longer; it keeps a device or a map given by mistake from filling memory."""
-
-SAMPLE_BYTES = 4096
-"""How much of a file is looked at to tell UTF-16 without a mark."""
 
 KINDS = (
     (b"PK\x03\x04", "zip", "a workbook or another zip archive"),
@@ -182,13 +179,11 @@ def _decoded(file: Path, data: bytes, what: str) -> str:
 
 
 def _unmarked(data: bytes) -> str:
-    """Tell UTF-16 by where its NUL bytes are: most characters of any such file are Latin."""
-    sample = data[: min(SAMPLE_BYTES, len(data)) // 2 * 2]
-    half = len(sample) / 2
-    even, odd = sample[::2].count(0), sample[1::2].count(0)
-    if half and odd > 0.5 * half and not even:
+    """Tell UTF-16 by its first two characters, which are Latin in headers and in TOML."""
+    first = [byte == 0 for byte in data[:4]]
+    if first == [False, True, False, True]:
         return "utf-16-le"
-    if half and even > 0.5 * half and not odd:
+    if first == [True, False, True, False]:
         return "utf-16-be"
     return "utf-8"
 

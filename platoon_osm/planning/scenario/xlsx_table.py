@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import warnings
 import zipfile
 from collections.abc import Iterator
@@ -57,8 +58,9 @@ def read_xlsx(file: Path, sheet: str | None) -> list[Row]:
         # Of parts of workbooks that it does not know, none of which is a cell.
         warnings.simplefilter("ignore")
         try:
+            content = file.read_bytes()  # else openpyxl would go by the name
             values, formulas = (
-                openpyxl.load_workbook(file, read_only=True, data_only=data_only)
+                openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=data_only)
                 for data_only in (True, False)
             )
             try:
@@ -80,9 +82,9 @@ def _check_size(file: Path) -> None:
         with zipfile.ZipFile(file) as archive:
             size = sum(part.file_size for part in archive.infolist())
             names = set(archive.namelist())
-    except (OSError, zipfile.BadZipFile, ValueError) as error:
+    except Exception as error:  # zipfile raises half a dozen kinds on damaged files
         raise ScenarioError(
-            f"{file}: not a workbook, or damaged ({error}); save it again as .xlsx"
+            f"{file}: not a workbook, or damaged ({brief(str(error))}); save it again as .xlsx"
         ) from error
     if "[Content_Types].xml" not in names:
         raise ScenarioError(f"{file}: is a zip archive, no workbook; give the table itself")
