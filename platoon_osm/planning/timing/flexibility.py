@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from datetime import timedelta
+from datetime import UTC, datetime, timedelta
 
 from ...errors import ScenarioError
 from ...plans.trip import Trip
@@ -51,6 +51,14 @@ def with_latest_arrivals(trips: Sequence[Trip], alone_s: Sequence[float]) -> lis
 def _timed(trip: Trip, alone_s: float) -> Trip:
     if trip.flexibility_min is None or trip.earliest_departure is None:
         return trip
-    seconds = math.ceil(alone_s + 60 * trip.flexibility_min - SAME_S)
-    arrival = trip.earliest_departure + timedelta(seconds=seconds)
+    # Nobody arrives as it leaves, were the way a millimetre.
+    seconds = max(1, math.ceil(alone_s + 60 * trip.flexibility_min - SAME_S))
+    arrival = _later(trip.earliest_departure, seconds)
     return replace(trip, latest_arrival=arrival, flexibility_min=None)
+
+
+def _later(moment: datetime, seconds: int) -> datetime:
+    """Add seconds that pass, also through a night in which the clocks are changed."""
+    if moment.tzinfo is None:
+        return moment + timedelta(seconds=seconds)
+    return (moment.astimezone(UTC) + timedelta(seconds=seconds)).astimezone(moment.tzinfo)
