@@ -83,7 +83,7 @@ def networkx_loop(draw: Draw, graph: Any, repeat_searches: bool) -> np.ndarray: 
 
 def main() -> None:
     """Measure and write the section."""
-    factors = STUDY.platoon_factors()
+    factors = STUDY.factors()
     draw = STUDY.network.draw(np.random.default_rng(7))
     net = draw.net
     graph = networkx.DiGraph()
@@ -96,7 +96,7 @@ def main() -> None:
         return plan_draw(STUDY, factors, draw)
 
     answer = ours()
-    joint = answer["joint_cost"][0, 0].reshape(-1, *STUDY.grid_shape).copy()
+    joint = answer["joint_cost"][0][:, factors.at[0]].reshape(-1, *STUDY.grid_shape)
     # The loop leaves out what the master saves in company.
     joint[int(answer["master"])] = answer["optimum"][int(answer["master"])]
     for repeat in (True, False):

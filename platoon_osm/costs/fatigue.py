@@ -1,4 +1,4 @@
-"""Driver fatigue as a function of consecutive driving time, eq. 6 to 10 of the paper.
+"""Driver fatigue as a function of consecutive driving time, eq. 6 to 9 of the paper.
 
 The curves are bumps: they rise and fall again, and they do not add up over edges. So fatigue is
 never an edge weight here; it is evaluated on the driving clock of a whole journey.
@@ -46,7 +46,7 @@ GRID_S = 30.0
 """How finely the running maximum looks between the moments it is asked for."""
 
 PHI = 96.06
-"""Inflation of the paper's heuristic, eq. 11 of [1]_."""
+"""Inflation of the paper's heuristic, eq. 10 of [1]_."""
 
 
 def fatigue_curve(driving_s: ArrayLike, period: Period) -> Floats:
@@ -248,7 +248,7 @@ def driving_clock(
 
 
 def fatigue_heuristic(distance_m: ArrayLike, master_cost: float, speed_mps: float) -> Floats:
-    """Return the paper's inflated A* heuristic phi * C_master * F(t), eq. 11 of [1]_.
+    """Return the paper's inflated A* heuristic phi * C_master * F(t), eq. 10 of [1]_.
 
     It is not admissible: it exceeds the cost that remains by orders of magnitude, so A* with it
     is a greedy search, and its answers are not optimal.

@@ -31,7 +31,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class PaperTerm:
-    """One term of eq. 12 and 13 of [1]_: a cost per metre for each role, rescaled to metres.
+    """One term of eq. 11 and 12 of [1]_: a cost per metre for each role, rescaled to metres.
 
     Attributes
     ----------
@@ -73,9 +73,9 @@ class PaperCosts:
     Attributes
     ----------
     tau, xi : float
-        Weights of time and fuel in a platoon (eq. 13), [0, 1].
+        Weights of time and fuel in a platoon (eq. 12), [0, 1].
     mixing : {"printed", "gain"}
-        "printed" is eq. 13 as it stands; "gain" reads tau and xi as gains (method.md, 1).
+        "printed" is eq. 12 as it stands; "gain" reads tau and xi as gains (method.md, 1).
     fuel_saving : float
         s, share of fuel saved in a platoon, [0, 1), by each vehicle: the lead is rotated.
     positions : str or None
@@ -159,7 +159,7 @@ class PaperCosts:
         return (1 + self.rest_s / self.driving_s) / (self.speed_kmh / 3.6)
 
     def travel_platoon(self) -> float:
-        """Return C_T(P) / d [s/m]: rest is taken while following, eq. 4 of [1]_.
+        """Return C_T(P) / d [s/m]: rest is taken while following, eq. 5 of [1]_.
 
         Returns
         -------
@@ -169,7 +169,7 @@ class PaperCosts:
         return 1 / (self.speed_kmh / 3.6)
 
     def fuel_alone(self) -> float:
-        """Return C_FC(I) / d [l/m], eq. 5 of [1]_.
+        """Return C_FC(I) / d [l/m], which [1]_ gives without a number.
 
         Returns
         -------
@@ -179,7 +179,7 @@ class PaperCosts:
         return self.fuel_l_per_100km / 100_000
 
     def fuel_platoon(self, position: Position = "follower") -> float:
-        """Return C_FC(P) / d [l/m], eq. 5 of [1]_.
+        """Return C_FC(P) / d [l/m], which [1]_ gives without a number.
 
         Parameters
         ----------
@@ -194,7 +194,7 @@ class PaperCosts:
         return (1 - self.saving(position)) * self.fuel_alone()
 
     def terms(self) -> tuple[PaperTerm, ...]:
-        """Return distance, time and fuel as cost terms, whose sum is the weight (eq. 12, 13).
+        """Return distance, time and fuel as cost terms, whose sum is the weight (eq. 11, 12).
 
         Returns
         -------
@@ -224,7 +224,7 @@ class PaperCosts:
         )
 
     def solo_factor(self) -> float:
-        """Return w_I / d, eq. 12 of [1]_: distance, time and fuel, rescaled to metres by kappa.
+        """Return w_I / d, eq. 11 of [1]_: distance, time and fuel, rescaled to metres by kappa.
 
         Returns
         -------
@@ -234,7 +234,7 @@ class PaperCosts:
         return self._factor("alone")
 
     def platoon_factor(self, position: Position = "follower") -> float:
-        """Return w_P / d, eq. 13 of [1]_, or its reading as gains.
+        """Return w_P / d, eq. 12 of [1]_, or its reading as gains.
 
         Parameters
         ----------
@@ -252,7 +252,7 @@ class PaperCosts:
         return sum(term.per_metre[role] for term in self.terms())
 
     def weights(self, net: RoadNetwork, vehicle: object = None) -> EdgeWeights:
-        """Return the weights of every edge, in metre equivalents (eq. 12 to 14 of [1]_).
+        """Return the weights of every edge, in metre equivalents (eq. 11 to 13 of [1]_).
 
         Parameters
         ----------
@@ -297,7 +297,7 @@ class PaperCosts:
 
 
 def paper_weights(net: RoadNetwork, costs: PaperCosts | None = None, **params: Any) -> EdgeWeights:
-    """Return the paper's weights of every edge, in metre equivalents (eq. 12 to 14 of [1]_).
+    """Return the paper's weights of every edge, in metre equivalents (eq. 11 to 13 of [1]_).
 
     Parameters
     ----------

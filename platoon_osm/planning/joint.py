@@ -72,9 +72,9 @@ def plan_joint(
     objective : {"member", "system"}
         "member": each member pays least itself (the paper); "system": members and master together
         pay least.
-    method : {"dijkstra", "astar"}
+    method : {"dijkstra", "astar", "astar-closed-once"}
         "dijkstra" is exact; "astar" is the paper's inflated A*, and the plan then reports its
-        excess over the optimum.
+        excess over the optimum; "astar-closed-once" is the same with each node explored once.
     master : str, optional
         Name of the vehicle that keeps its route; by default that of the longest route.
     engine : {"auto", "reference", "hierarchy"}
@@ -171,11 +171,11 @@ class _Cases:
         )
         self.exact = Star(net, weights, ends, self.master, exact)
         self.star = self.exact
-        if problem.method == "astar":
+        if problem.method != "dijkstra":
             own = ends[self.master]
             speed = float(weights.params.get("speed_kmh", ESTIMATED_KMH)) / 3.6
             cost = trees.tree(own.origin).dist[own.destination]
-            router = AstarRouter(net, weights.solo, float(cost), speed)
+            router = AstarRouter(net, weights.solo, float(cost), speed, problem.method)
             self.star = Star(net, weights, ends, self.master, router)
 
     def best(self) -> Plan:

@@ -41,8 +41,9 @@ class Problem:
         whose routes are both free, "best" the cheapest of those that apply.
     master : str or None
         Name of the vehicle that keeps its route; by default that of the longest route.
-    method : {"dijkstra", "astar"}
-        "dijkstra" is exact; "astar" is the paper's inflated A*.
+    method : {"dijkstra", "astar", "astar-closed-once"}
+        "dijkstra" is exact; "astar" is the paper's inflated A*, "astar-closed-once" the same with
+        each node explored once.
     optimum : {"member", "system"}
         Whose cost is least: each member's own (the paper), or that of members and master together.
     engine : {"auto", "reference", "hierarchy"}
@@ -96,7 +97,7 @@ class Problem:
                 f"case 'D' plans two vehicles, not {len(self.trips)}; use C for one master and "
                 "many members"
             )
-        if self.case == "D" and self.method == "astar":
+        if self.case == "D" and self.method != "dijkstra":
             raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
         check_one_clock(self.trips)
 

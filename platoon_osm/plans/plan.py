@@ -53,7 +53,7 @@ class Plan:
     objective : str
         "member": each member pays least itself; "system": all together do.
     method : str
-        "dijkstra" or "astar".
+        "dijkstra", "astar" or "astar-closed-once".
     unit : str
         Unit of all costs.
     params : mapping of str to object

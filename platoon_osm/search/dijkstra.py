@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Sequence
 
 import numpy as np
@@ -23,7 +22,7 @@ from .arguments import (
 from .joining import Found, Positions, best_pairs, entry_exit_costs, only_at
 from .least_paths import LeastCosts
 
-__all__ = ["ReferenceEngine", "Tree", "astar", "lightest_edges"]
+__all__ = ["ReferenceEngine", "Tree", "lightest_edges"]
 
 Floats = NDArray[np.float64]
 Edges = NDArray[np.int64]
@@ -340,64 +339,3 @@ class ReferenceEngine:
         entry, leave, solo = entry_exit_costs(self, nodes, start, end)
         i, j, cost = best_pairs(only_at(entry, join), only_at(leave, part), along, metres, solo)
         return i, j, cost, solo
-
-
-def astar(
-    net: RoadNetwork, weight: ArrayLike, source: int, target: int, heuristic: ArrayLike
-) -> tuple[float, Edges]:
-    """Search by A* with a closed set, as in the paper: no node is opened twice.
-
-    With an admissible and consistent heuristic the answer is optimal; with the paper's inflated
-    one (section 2 of the method) it is only a route, and the caller reports its excess.
-
-    Parameters
-    ----------
-    net : RoadNetwork
-        The network searched.
-    weight : array_like of float, (m,)
-        Cost of each edge, 0 or more; inf where closed.
-    source : int
-        Node where the path starts.
-    target : int
-        Node where it ends.
-    heuristic : array_like of float, (n,)
-        Estimated cost from each node to the target.
-
-    Returns
-    -------
-    cost : float
-        What the route costs; inf if there is none.
-    edges : ndarray of int, (k,)
-        Edge ids in driving order.
-
-    Raises
-    ------
-    SearchError
-        A weight, node or heuristic that is none.
-    """
-    costs = checked_weight(checked_network(net), weight)
-    source, target = checked_node(net, source), checked_node(net, target)
-    estimate = checked_labels(net, heuristic, "estimate")
-    best: dict[int, float] = {source: 0.0}
-    entered: dict[int, int] = {}
-    closed: set[int] = set()
-    queue = [(float(estimate[source]), source)]
-    while queue:
-        _, node = heapq.heappop(queue)
-        if node in closed:
-            continue
-        if node == target:
-            edges = []
-            while node != source:
-                edges.append(entered[node])
-                node = int(net.tail[edges[-1]])
-            return best[target], np.array(edges[::-1], np.int64)
-        closed.add(node)
-        for edge in range(net.first_out[node], net.first_out[node + 1]):
-            head = int(net.head[edge])
-            cost = best[node] + float(costs[edge])
-            if head not in closed and cost < best.get(head, np.inf):
-                best[head] = cost
-                entered[head] = edge
-                heapq.heappush(queue, (cost + float(estimate[head]), head))
-    return float("inf"), np.zeros(0, np.int64)

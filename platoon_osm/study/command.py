@@ -52,7 +52,7 @@ def studies_of(options: StudyOptions) -> list[Study]:
     axis = tuple(round(k / max(grid - 1, 1), 12) for k in range(grid))
     shared: dict[str, Any] = {
         "runs": options.runs, "case": options.case, "methods": _list(options.method),
-        "mixings": _list(options.mixing), "tau": axis, "xi": axis,
+        "mixings": _list(options.mixing), "terms": _list(options.terms), "tau": axis, "xi": axis,
     }  # fmt: skip
     default = "200" if options.network else "1,200,400,600"
     diameters = [_km("--diameter-km", part) for part in _list(options.diameter_km or default)]
@@ -206,10 +206,11 @@ def write_results(
         The comparison as Markdown.
     """
     from . import figures, tables
-    from .comparison import compare, network_label, verdict
+    from .comparison import compare, network_label
     from .example import example_of
     from .page import write_page
-    from .shown_tables import markdown, shown_tables
+    from .shown_tables import CALLED, markdown, shown_tables
+    from .verdict import verdict
 
     rows = compare(results)
     first = results[0]
@@ -223,16 +224,17 @@ def write_results(
     path = output / "figure-2-costs"
     tables.write_costs(path.with_suffix(".csv"), results)
     drawn.append((path, figures.save_figure(figures.cost_figure(first), path),
-                  f"Mean cost of a vehicle alone and jointly, {study.methods[0]}, vehicles at "
-                  f"{network_label(first)}; the ring marks tau = 100 %, xi = 18 %."))  # fmt: skip
-    for number, method, called in ((3, "dijkstra", "Dijkstra"), (4, "astar", "the inflated A*")):
+                  f"Mean cost of a vehicle alone and jointly, {study.methods[0]}, "
+                  f"{study.terms[0]}, vehicles at {network_label(first)}; the ring marks "
+                  "tau = 100 %, xi = 18 %."))  # fmt: skip
+    for number, method in ((3, "dijkstra"), (4, "astar"), (5, "astar-closed-once")):
         if method in study.methods:
             path = output / f"figure-{number}-involvement-{method}"
             tables.write_involvement(path.with_suffix(".csv"), results, method)
             drawn.append((
                 path, figures.save_figure(figures.involvement_figure(results, method), path),
-                f"Members that join a platoon by {called}, mixing “{study.mixings[0]}”; columns "
-                "are placings of the vehicles.",
+                f"Members that join a platoon by {CALLED[method]}, mixing “{study.mixings[0]}” of "
+                f"{study.terms[0]}; columns are placings of the vehicles.",
             ))  # fmt: skip
     tables.write_comparison(output / "comparison.csv", rows)
     tables.write_parquet(output / "results.parquet", results)

@@ -10,13 +10,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..errors import ScenarioError
 from ..planning.routers import Method
 from .measures import INVOLVEMENTS, TOTALS, Estimate, Measures
 from .monte_carlo import StudyResult
 from .random_network import RandomNetwork
 
-__all__ = ["PRINTED", "Printed", "Row", "agreement", "compare", "network_label", "verdict"]
+__all__ = ["PRINTED", "Printed", "Row", "compare", "network_label", "plain"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,10 +59,12 @@ class Row:
     network : str
         How vehicles are placed; see `network_label`.
     mixing : {"printed", "gain"}
-        Reading of eq. 13.
+        Reading of tau and xi in eq. 12.
+    terms : str
+        Which terms eq. 11 and 12 add up.
     counted : str
         Whose cost, or who counts as taking part.
-    method : {"dijkstra", "astar"}
+    method : {"dijkstra", "astar", "astar-closed-once"}
         How routes are found.
     ours : Estimate
         In the unit of the printed number.
@@ -72,6 +73,7 @@ class Row:
     number: str
     network: str
     mixing: str
+    terms: str
     counted: str
     method: Method
     ours: Estimate
@@ -122,13 +124,13 @@ def compare(results: Sequence[StudyResult]) -> list[Row]:
     Returns
     -------
     list of Row
-        Study by study, method by method, mixing by mixing.
+        Study by study, method by method, reading by reading.
     """
     rows: list[Row] = []
     for result in results:
         label, study = network_label(result), result.study
         for k, method in enumerate(study.methods):
-            for x, mixing in enumerate(study.mixings):
+            for x, (mixing, terms) in enumerate((r.mixing, r.terms) for r in study.readings):
                 found = Measures(result, k, x)
                 for total in TOTALS:
                     least, most = found.joint_range(total)
@@ -140,12 +142,14 @@ def compare(results: Sequence[StudyResult]) -> list[Row]:
                         "joint high": _times(most, 1e-3),
                     }
                     rows += [
-                        Row(number, label, mixing, total, method, ours)
+                        Row(number, label, mixing, terms, total, method, ours)
                         for number, ours in numbers.items()
                     ]
                 rows += [
-                    Row(method, label, mixing, name, method,
-                        _times(found.mean_involvement(name), 100))
+                    Row(
+                        "dijkstra" if method == "dijkstra" else "astar", label, mixing, terms,
+                        name, method, _times(found.mean_involvement(name), 100),
+                    )
                     for name in INVOLVEMENTS
                 ]  # fmt: skip
     return rows
@@ -155,124 +159,19 @@ def _times(estimate: Estimate, factor: float) -> Estimate:
     return Estimate(estimate.value * factor, estimate.low * factor, estimate.high * factor)
 
 
-def agreement(rows: Sequence[Row]) -> list[tuple[float, str, str, str, str, dict[str, Estimate]]]:
-    """Rank whole readings by their mean distance from the four printed percentages.
-
-    A reading is a placing of vehicles, a mixing, a total and a way to count who takes part; its
-    savings are Dijkstra's, as in the paper. Readings for which a number is missing are left out.
+def plain(value: float, digits: int) -> str:
+    """Return a number with so many digits, never "-0.0".
 
     Parameters
     ----------
-    rows : sequence of Row
-        Of `compare`.
-
-    Returns
-    -------
-    list of tuple
-        (mean distance in percentage points, network, mixing, total, involvement, numbers), best
-        first.
-    """
-    at = {(r.number, r.network, r.mixing, r.counted, r.method): r.ours for r in rows}
-    ranked = []
-    placed = dict.fromkeys((r.network, r.mixing) for r in rows)
-    for network, mixing in placed:
-        for total in TOTALS:
-            for counted in INVOLVEMENTS:
-                numbers = {
-                    "point": at.get(("point", network, mixing, total, "dijkstra")),
-                    "mean": at.get(("mean", network, mixing, total, "dijkstra")),
-                    "dijkstra": at.get(("dijkstra", network, mixing, counted, "dijkstra")),
-                    "astar": at.get(("astar", network, mixing, counted, "astar")),
-                }
-                known = {name: ours for name, ours in numbers.items() if ours is not None}
-                if len(known) < len(numbers):
-                    continue
-                away = sum(abs(v.value - PRINTED[n].value[0]) for n, v in known.items()) / 4
-                ranked.append((away, network, mixing, total, counted, known))
-    return sorted(ranked, key=lambda item: item[:5])
-
-
-def verdict(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> str:
-    """Say in one paragraph which reading agrees best and what cannot be reproduced.
-
-    Parameters
-    ----------
-    rows : sequence of Row
-        Of `compare`.
-    results : sequence of StudyResult
-        The studies, to say what no draw of theirs could give.
+    value : float
+        Any.
+    digits : int
+        After the point.
 
     Returns
     -------
     str
-        Plain text.
-
-    Raises
-    ------
-    ScenarioError
-        No row at all.
+        The text.
     """
-    if not rows:
-        raise ScenarioError("comparison: no study to compare")
-    ranked = agreement(rows)
-    text = []
-    if ranked:
-        away, network, mixing, total, counted, numbers = ranked[0]
-        shown = ", ".join(
-            f"{PRINTED[name].label} {ours.value:.1f} % (paper {PRINTED[name].value[0]:g} %)"
-            for name, ours in numbers.items()
-        )
-        text.append(
-            f"Of {len(ranked)} readings the one closest to the four printed percentages is: "
-            f"vehicles at {network}; {mixing} mixing; costs of "
-            f"{'the members' if total == 'members' else 'members and master'}; involved is who "
-            f"{_who(counted)}. It gives {shown}, on average {away:.1f} points away. It was picked "
-            "after the fact, so it describes the paper's numbers; it does not confirm them."
-        )
-        both = sum(
-            all(ours.covers(PRINTED[n].value[0]) for n, ours in item[5].items()) for item in ranked
-        )
-        text.append(
-            f"All four numbers lie within the 95 % intervals of {_count(both)} of these readings."
-        )
-    for number, printed in PRINTED.items():
-        of = [row for row in rows if row.number == number]
-        if number != "astar":
-            # The paper's savings and surfaces are Dijkstra's.
-            of = [row for row in of if row.method == "dijkstra"]
-        if not of:
-            continue
-        good = sum(row.agrees() for row in of)
-        low, high = min(r.ours.value for r in of), max(r.ours.value for r in of)
-        paper = " to ".join(f"{value:g}" for value in printed.value)
-        if len(printed.value) > 1:
-            found = f"{_count(good)} of them in that range."
-        else:
-            found = f"{_count(good)} of their 95 % intervals {'holds' if good < 2 else 'hold'} it."
-        text.append(
-            f"{printed.label[0].upper()}{printed.label[1:]} (paper {paper} {printed.unit}): ours "
-            f"{low:.1f} to {high:.1f} {printed.unit} over {len(of)} readings, {found}"
-        )
-    least = [
-        r.study.costs.solo_factor() * r.study.network.min_route_m / 1000
-        for r in results
-        if getattr(r.study.network, "route_length", "network") == "network"
-    ]
-    most = PRINTED["alone"].value[1]
-    if least and len(least) == len(results) and min(least) > most:
-        text.append(
-            f"No draw could: by eq. 12 a vehicle alone pays {min(least):.0f} km for the minimum "
-            f"route already, more than the {most:g} km at which the paper's surfaces end."
-        )
-    return " ".join(text)
-
-
-def _who(counted: str) -> str:
-    return {
-        "joined": "joins at all",
-        "merges and separates": "truly merges and truly separates",
-    }.get(counted, "truly merges and separates inside the master's route")
-
-
-def _count(number: int) -> str:
-    return "none" if number == 0 else str(number)
+    return f"{round(value, digits) + 0.0:.{digits}f}"

@@ -63,22 +63,23 @@ def example_of(result: StudyResult, run: int = 0) -> Example:
         The run's routes.
     """
     study = result.study
-    mixing, method = 0, study.methods.index("dijkstra") if "dijkstra" in study.methods else 0
+    method = study.methods.index("dijkstra") if "dijkstra" in study.methods else 0
     rows, columns = study.grid_shape
     point = rows * columns if study.points else rows * columns - 1
     seed = np.random.SeedSequence(result.seed).spawn(study.runs)[run]
     draw = study.network.draw(np.random.default_rng(seed))
     net = draw.net
-    engine = ReferenceEngine(net, net.length_m * study.costs.solo_factor())
+    engine = ReferenceEngine(net, net.length_m * study.alone_factor)
     master = int(result.master[run])
     route = engine.tree(int(draw.origins[master])).path(int(draw.destinations[master]))
     nodes = net.path_nodes(route)
     none = np.zeros(0, np.int64)
     routes = []
+    merges, separations = (result.of(name, method, 0) for name in ("merge", "separation"))
     for vehicle in range(len(draw.origins)):
         start, end = int(draw.origins[vehicle]), int(draw.destinations[vehicle])
-        merge = int(result.merge[run, method, mixing, vehicle, point])
-        separation = int(result.separation[run, method, mixing, vehicle, point])
+        merge = int(merges[run, vehicle, point])
+        separation = int(separations[run, vehicle, point])
         if vehicle == master or merge < 0:
             alone = route if vehicle == master else engine.tree(start).path(end)
             routes.append((alone, none, none))
@@ -89,6 +90,4 @@ def example_of(result: StudyResult, run: int = 0) -> Example:
     together = [float(net.length_m[part].sum()) for _, part, _ in routes]
     longest = int(np.argmax(together)) if max(together) > 0 else -1
     tau, xi = study.grid_points()[point]
-    return Example(
-        draw, master, tuple(routes), longest, float(tau), float(xi), study.mixings[mixing]
-    )
+    return Example(draw, master, tuple(routes), longest, float(tau), float(xi), study.mixings[0])

@@ -235,7 +235,7 @@ def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int 
     ----------
     results : sequence of StudyResult
         A column of panels for each.
-    method : {"dijkstra", "astar"}
+    method : {"dijkstra", "astar", "astar-closed-once"}
         One that all of them ran.
     mixing : int
         Position in the studies' mixings.

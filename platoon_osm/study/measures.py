@@ -65,26 +65,26 @@ class Estimate:
 
 
 class Measures:
-    """Surfaces and numbers of one method and one mixing of a study.
+    """Surfaces and numbers of one method and one reading of a study.
 
     Parameters
     ----------
     result : StudyResult
         R runs, P points.
-    method, mixing : int
-        Positions in the study's own lists.
+    method, reading : int
+        Positions in the study's methods and readings.
     """
 
-    def __init__(self, result: StudyResult, method: int, mixing: int) -> None:
+    def __init__(self, result: StudyResult, method: int, reading: int) -> None:
         self.study = result.study
         runs = len(result.master)
         everyone = np.ones((runs, result.optimum.shape[1]), bool)
         counted = {"members": result.is_member(), "system": everyone}
-        alone, joint = result.solo_cost[:, method], result.joint_cost[:, method, mixing]
+        alone, joint = result.solo(method, reading), result.joint(method, reading)
         self._alone = {t: (alone * counted[t]).sum(axis=1) for t in TOTALS}
         self._joint = {t: np.einsum("rvp,rv->rp", joint, counted[t]) for t in TOTALS}
         self._count = {t: counted[t].sum(axis=1).astype(np.float64) for t in TOTALS}
-        how = result.how[:, method, mixing]
+        how = result.of("how", method, reading)
         self._taking_part = {
             name: np.einsum(
                 "rvp,rv->rp", (how & bits) == bits, counted["members"], dtype=np.float64

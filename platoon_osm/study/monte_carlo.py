@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
 from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,10 @@ CHUNK = 5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StudyResult:
-    """R runs of a study: M methods, X mixings, V vehicles, P points of the grid.
+    """R runs of a study: M methods, V vehicles, F different factors of its readings and points.
+
+    Costs are in units of the study's first choice of terms; `joint` and `solo` give those of a
+    reading.
 
     Attributes
     ----------
@@ -40,11 +44,11 @@ class StudyResult:
         Cost alone by Dijkstra [m].
     solo_cost : ndarray of float, (R, M, V)
         Cost alone by each method [m].
-    joint_cost, platoon_m : ndarray of float, (R, M, X, V, P)
+    joint_cost, platoon_m : ndarray of float, (R, M, V, F)
         Cost [m] and metres in company; the master's cost with what it saves there.
-    merge, separation : ndarray of int, (R, M, X, V, P)
+    merge, separation : ndarray of int, (R, M, V, F)
         Nodes, -1 alone.
-    how : ndarray of uint8, (R, M, X, V, P)
+    how : ndarray of uint8, (R, M, V, F)
         Bits of `one_run`: joined, drives alone before and after, and so on.
     applicable : ndarray of bool, (R, M, V)
         Whether the case could apply.
@@ -78,6 +82,57 @@ class StudyResult:
         """
         vehicles = np.arange(self.optimum.shape[1])
         return np.asarray(vehicles != self.master[:, None])
+
+    def solo(self, method: int, reading: int) -> Floats:
+        """Return what vehicles pay alone under a reading.
+
+        Parameters
+        ----------
+        method, reading : int
+            Positions in the study's methods and readings.
+
+        Returns
+        -------
+        ndarray of float, (R, V)
+            In metres.
+        """
+        cost: Floats = self.solo_cost[:, method] * self.study.factors().scale[reading]
+        return cost
+
+    def joint(self, method: int, reading: int) -> Floats:
+        """Return what vehicles pay under a reading at each point.
+
+        Parameters
+        ----------
+        method, reading : int
+            Positions in the study's methods and readings.
+
+        Returns
+        -------
+        ndarray of float, (R, V, P)
+            In metres.
+        """
+        scale = self.study.factors().scale[reading]
+        cost: Floats = self.of("joint_cost", method, reading) * scale
+        return cost
+
+    def of(self, name: str, method: int, reading: int) -> NDArray[Any]:
+        """Return an array under a reading at each point.
+
+        Parameters
+        ----------
+        name : str
+            "joint_cost", "platoon_m", "merge", "separation" or "how".
+        method, reading : int
+            Positions in the study's methods and readings.
+
+        Returns
+        -------
+        ndarray, (R, V, P)
+            Its values; costs in units of the study's first choice of terms.
+        """
+        values: NDArray[Any] = getattr(self, name)[:, method]
+        return values[..., self.study.factors().at[reading]]
 
 
 def run_study(
@@ -162,7 +217,7 @@ def _run_chunk(
     runs: Sequence[tuple[int, np.random.SeedSequence]],
 ) -> list[tuple[int, Arrays]]:
     """Do some runs; at module level, for processes have to find it."""
-    factors = study.platoon_factors()
+    factors = study.factors()
     results = []
     for run, seed in runs:
         arrays = run_once(study, factors, seed)

@@ -14,6 +14,7 @@ from ..planning.routers import AstarRouter, Method
 from ..search.dijkstra import ReferenceEngine
 from .grid import best_on_grid, shared_metres
 from .random_network import Draw
+from .readings import Factors
 from .settings import Study
 
 __all__ = [
@@ -58,15 +59,15 @@ class Solo:
     cost: Floats
 
 
-def run_once(study: Study, factors: Floats, seed: np.random.SeedSequence) -> Arrays:
-    """Draw a network and plan its vehicles for every method, mixing and grid point.
+def run_once(study: Study, factors: Factors, seed: np.random.SeedSequence) -> Arrays:
+    """Draw a network and plan its vehicles for every method, reading and grid point.
 
     Parameters
     ----------
     study : Study
-        M methods, X mixings, P points.
-    factors : ndarray of float, (X, P)
-        Platoon cost of one metre, `study.platoon_factors()`.
+        M methods.
+    factors : Factors
+        F different ones, `study.factors()`.
     seed : numpy.random.SeedSequence
         Of this run.
 
@@ -78,15 +79,15 @@ def run_once(study: Study, factors: Floats, seed: np.random.SeedSequence) -> Arr
     return plan_draw(study, factors, study.network.draw(np.random.default_rng(seed)))
 
 
-def plan_draw(study: Study, factors: Floats, draw: Draw) -> Arrays:
-    """Plan the vehicles of a draw for every method, mixing and grid point.
+def plan_draw(study: Study, factors: Factors, draw: Draw) -> Arrays:
+    """Plan the vehicles of a draw for every method, reading and grid point.
 
     Parameters
     ----------
     study : Study
-        M methods, X mixings, P points.
-    factors : ndarray of float, (X, P)
-        Platoon cost of one metre, `study.platoon_factors()`.
+        M methods.
+    factors : Factors
+        F different ones, `study.factors()`.
     draw : Draw
         A network with trips.
 
@@ -95,29 +96,29 @@ def plan_draw(study: Study, factors: Floats, draw: Draw) -> Arrays:
     dict of ndarray
         As `run_once`.
     """
-    weight = draw.net.length_m * study.costs.solo_factor()
+    weight = draw.net.length_m * study.alone_factor
     engine = ReferenceEngine(draw.net, weight)
     forward = engine.distances(draw.origins)
     vehicles = len(draw.origins)
     optimum = forward[np.arange(vehicles), draw.destinations]
-    master = longest_route(optimum / study.costs.solo_factor())
-    shape = (len(study.methods), len(factors), vehicles, factors.shape[1])
+    master = longest_route(optimum / study.alone_factor)
+    shape = (len(study.methods), vehicles, len(factors.different))
     out: Arrays = {
         "master": np.array(master, np.int32),
         "optimum": optimum,
-        "solo_cost": np.empty(shape[::2]),
+        "solo_cost": np.empty(shape[:2]),
         "joint_cost": np.empty(shape),
         "platoon_m": np.zeros(shape),
         "merge": np.full(shape, -1, np.int32),
         "separation": np.full(shape, -1, np.int32),
         "how": np.zeros(shape, np.uint8),
-        "applicable": np.ones(shape[::2], bool),
+        "applicable": np.ones(shape[:2], bool),
         "redraws": np.array([draw.unconnected, draw.impossible], np.int32),
         "overestimate": _overestimate(study, draw, optimum, master),
     }
     for k, method in enumerate(study.methods):
         solo = solo_searches(study, draw, engine, forward, master, method)
-        _fill(out, k, study, draw, solo, master, factors)
+        _fill(out, k, study, draw, solo, master, factors.different)
     return out
 
 
@@ -138,7 +139,7 @@ def solo_searches(
         Least costs from each origin.
     master : int
         Which vehicle keeps its route.
-    method : {"dijkstra", "astar"}
+    method : {"dijkstra", "astar", "astar-closed-once"}
         How routes are found.
 
     Returns
@@ -154,9 +155,9 @@ def solo_searches(
         nodes = net.path_nodes(route)
         leave = engine.distances(destinations[others], forward=False)[:, nodes]
         return Solo(route, forward[np.ix_(others, nodes)], leave, optimum)
-    weight = net.length_m * study.costs.solo_factor()
+    weight = net.length_m * study.alone_factor
     speed = study.costs.speed_kmh / 3.6
-    router = AstarRouter(net, weight, float(optimum[master]), speed)
+    router = AstarRouter(net, weight, float(optimum[master]), speed, method)
     route = router.route(int(origins[master]), int(destinations[master]))
     nodes = net.path_nodes(route)
     entry = [[router.cost(o, r) for r in nodes] for o in origins[others]]
@@ -169,7 +170,7 @@ def _fill(
     out: Arrays, k: int, study: Study, draw: Draw, solo: Solo, master: int, factors: Floats
 ) -> None:
     """Answer the grid for one method and put it into its place of all arrays."""
-    net, costs = draw.net, study.costs
+    net, per_metre = draw.net, study.alone_factor
     others = np.delete(np.arange(len(draw.origins)), master)
     nodes = net.path_nodes(solo.route)
     length = np.concatenate([[0.0], np.cumsum(net.length_m[solo.route])])
@@ -180,11 +181,11 @@ def _fill(
     elif study.case == "B":
         entry = np.where(nodes == draw.origins[others, None], entry, np.inf)
         out["applicable"][k, others] = np.isfinite(entry).any(axis=1)
-    i, j, cost = best_on_grid(entry, leave, solo.cost[others], length, factors.ravel())
+    i, j, cost = best_on_grid(entry, leave, solo.cost[others], length, factors)
     joined = i >= 0
     row = np.arange(len(others))[:, None]
     # By access edges alone: entering there is not driving roads.
-    straight = _access_costs(draw, others, costs.solo_factor())[:, nodes]
+    straight = _access_costs(draw, others, per_metre)[:, nodes]
     to_merge, from_there = entry[row, i], leave[row, j]
     direct = straight[row, i]
     by_access = (to_merge >= direct * (1 - 1e-9)) & (to_merge <= direct * (1 + 1e-9))
@@ -196,21 +197,17 @@ def _fill(
         + MASTER_UNDERWAY * (i > first_road)
         + MASTER_GOES_ON * (j < len(solo.route))
     )
-    shape = (len(others), *factors.shape)
-
-    def put(name: str, values: NDArray[np.generic]) -> None:
-        out[name][k][:, others] = values.reshape(shape).swapaxes(0, 1)
-
-    put("joint_cost", cost)
-    put("platoon_m", np.where(joined, length[j] - length[i], 0.0))
-    put("merge", np.where(joined, nodes[i], -1))
-    put("separation", np.where(joined, nodes[j], -1))
-    put("how", how)
-    shared = shared_metres(i, j, length).reshape(factors.shape)
+    shared = shared_metres(i, j, length)
     out["solo_cost"][k] = solo.cost
-    out["joint_cost"][k][:, master] = solo.cost[master] - (costs.solo_factor() - factors) * shared
-    out["platoon_m"][k][:, master] = shared
-    out["how"][k][:, master] = np.where(shared > 0, JOINED, 0)
+    for name, members, of_master in (
+        ("joint_cost", cost, solo.cost[master] - (per_metre - factors) * shared),
+        ("platoon_m", np.where(joined, length[j] - length[i], 0.0), shared),
+        ("merge", np.where(joined, nodes[i], -1), -1),
+        ("separation", np.where(joined, nodes[j], -1), -1),
+        ("how", how, np.where(shared > 0, JOINED, 0)),
+    ):
+        out[name][k][others] = members
+        out[name][k][master] = of_master
 
 
 def _access_costs(draw: Draw, vehicles: Index, solo_factor: float) -> Floats:

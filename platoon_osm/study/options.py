@@ -24,9 +24,12 @@ class StudyOptions:
     workers : int or None
         Processes; None is one for each core.
     method : str
-        "dijkstra", "astar" or both with a comma between.
+        "dijkstra", "astar" and "astar-closed-once", with commas: A* as the paper prints it, which
+        opens a node again once a cheaper way to it is found, and with each node explored once.
     mixing : str
-        "printed", "gain" or both: readings of eq. 13.
+        "printed", "gain" or both: readings of tau and xi in eq. 12.
+    terms : str
+        Which terms eq. 11 and 12 add up, with commas; figures show the first.
     case : str
         "A", "B" or "C".
     diameter_km : str or None
@@ -74,8 +77,9 @@ class StudyOptions:
     runs: int = 100
     seed: int = 0
     workers: int | None = None
-    method: str = "dijkstra,astar"
+    method: str = "dijkstra,astar,astar-closed-once"
     mixing: str = "printed,gain"
+    terms: str = "distance+time+fuel,distance+time,distance+fuel,distance,time,fuel"
     case: str = "C"
     diameter_km: str | None = None
     spawning: str = "points,nodes"

@@ -6,8 +6,8 @@ import hashlib
 import json
 import math
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, field, replace
-from typing import Any, Literal
+from dataclasses import asdict, dataclass, field
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,15 @@ from ..kinds import is_number, is_whole
 from ..planning.cases import Case
 from ..planning.routers import Method
 from .random_network import RandomNetwork
+from .readings import (
+    ALL_TERMS,
+    TERM_SUMS,
+    Factors,
+    Reading,
+    alone_per_metre,
+    check_terms,
+    factors_of,
+)
 from .road_trips import RoadTrips
 
 __all__ = ["PAPER_STUDY", "Study", "Total"]
@@ -40,10 +49,13 @@ class Study:
         Networks drawn.
     case : {"A", "B", "C"}
         Which case of the paper the members follow.
-    methods : tuple of {"dijkstra", "astar"}
+    methods : tuple of {"dijkstra", "astar", "astar-closed-once"}
         Ways to search, on the same draws.
     mixings : tuple of {"printed", "gain"}
-        Readings of eq. 13.
+        Readings of tau and xi in eq. 12.
+    terms : tuple of str
+        Which terms eq. 11 and 12 add up, such as "distance+time+fuel" and "time"; the first is
+        what figures show.
     tau, xi : tuple of float
         The grid's axes, in [0, 1].
     points : tuple of (float, float)
@@ -57,6 +69,7 @@ class Study:
     case: Case = "C"
     methods: tuple[Method, ...] = ("dijkstra",)
     mixings: tuple[Mixing, ...] = ("printed", "gain")
+    terms: tuple[str, ...] = (ALL_TERMS,)
     tau: tuple[float, ...] = TENTHS
     xi: tuple[float, ...] = TENTHS
     points: tuple[tuple[float, float], ...] = ((1.0, 0.18),)
@@ -79,15 +92,21 @@ class Study:
                 "rotated, as in the paper: leave positions out"
             )
         for name, allowed in (
-            ("methods", ("dijkstra", "astar")),
+            ("methods", get_args(Method)),
             ("mixings", ("printed", "gain")),
         ):
             chosen = getattr(self, name)
             known = _each(chosen, _is_text) and not set(chosen) - set(allowed)
             if not known or len(set(chosen)) < len(chosen):
                 raise ScenarioError(
-                    f"{name} = {brief(chosen)} must be one or both of {', '.join(allowed)}"
+                    f"{name} = {brief(chosen)} must be one or more of {', '.join(allowed)}"
                 )
+        if not _each(self.terms, _is_text) or len(set(self.terms)) < len(self.terms):
+            raise ScenarioError(
+                f"terms = {brief(self.terms)} must be one or more sums, such as {ALL_TERMS}"
+            )
+        for terms in self.terms:
+            check_terms(terms)
         for name in ("tau", "xi"):
             values = getattr(self, name)
             if not _each(values, is_number) or list(values) != sorted(set(values)):
@@ -116,21 +135,25 @@ class Study:
         grid = [(tau, xi) for tau in self.tau for xi in self.xi]
         return np.array([*grid, *self.points], np.float64)
 
-    def platoon_factors(self) -> NDArray[np.float64]:
-        """Return what one metre costs in a platoon, for each mixing and point.
+    @property
+    def readings(self) -> tuple[Reading, ...]:
+        """All readings, each choice of terms under each mixing."""
+        return tuple(Reading(terms, mixing) for terms in self.terms for mixing in self.mixings)
+
+    @property
+    def alone_factor(self) -> float:
+        """Cost alone of one metre under the first choice of terms [m]."""
+        return alone_per_metre(self.costs, self.terms[0])
+
+    def factors(self) -> Factors:
+        """Return what one metre costs in a platoon, for each reading and point.
 
         Returns
         -------
-        ndarray of float, (X, P)
-            In units of the cost alone of one metre of road, as `PaperCosts.platoon_factor`.
+        Factors
+            In units of the first choice of terms.
         """
-        return np.array([
-            [
-                replace(self.costs, tau=float(tau), xi=float(xi), mixing=mixing).platoon_factor()
-                for tau, xi in self.grid_points()
-            ]
-            for mixing in self.mixings
-        ])  # fmt: skip
+        return factors_of(self.costs, self.readings, self.grid_points())
 
     def to_dict(self) -> dict[str, Any]:
         """Return the plain JSON form; enough to repeat the study, with its seed.
@@ -145,7 +168,8 @@ class Study:
         costs = {k: v for k, v in asdict(self.costs).items() if k not in ("tau", "xi", "mixing")}
         return {
             "network": shown, "runs": self.runs, "case": self.case, "methods": list(self.methods),
-            "mixings": list(self.mixings), "tau": list(self.tau), "xi": list(self.xi),
+            "mixings": list(self.mixings), "terms": list(self.terms),
+            "tau": list(self.tau), "xi": list(self.xi),
             "points": [list(pair) for pair in self.points], "costs": costs,
         }  # fmt: skip
 
@@ -176,5 +200,6 @@ def _is_text(value: object) -> bool:
     return isinstance(value, str)
 
 
-PAPER_STUDY = Study(methods=("dijkstra", "astar"))
-"""Table 1 as printed, by both methods, in both readings of the mixing rates."""
+PAPER_STUDY = Study(methods=get_args(Method), terms=TERM_SUMS)
+"""Table 1 as printed: by Dijkstra and by A* in both readings, with both readings of the mixing
+rates and all readings of what is added up."""

@@ -53,15 +53,15 @@ def write_comparison(path: Path, rows: Sequence[Row]) -> None:
         Of `compare`.
     """
     header = [
-        "number", "paper", "unit", "network", "mixing", "counted", "method", "ours", "low_95",
-        "high_95", "agrees",
+        "number", "paper", "unit", "network", "mixing", "terms", "counted", "method", "ours",
+        "low_95", "high_95", "agrees",
     ]  # fmt: skip
     write_csv(path, header, (
         [
             PRINTED[row.number].label,
             " to ".join(f"{v:g}" for v in PRINTED[row.number].value), PRINTED[row.number].unit,
-            row.network, row.mixing, row.counted, row.method, row.ours.value, row.ours.low,
-            row.ours.high, int(row.agrees()),
+            row.network, row.mixing, row.terms, row.counted, row.method, row.ours.value,
+            row.ours.low, row.ours.high, int(row.agrees()),
         ]
         for row in rows
     ))  # fmt: skip
@@ -78,14 +78,15 @@ def write_costs(path: Path, results: Sequence[StudyResult]) -> None:
         One for each placing of the vehicles.
     """
     header = [
-        "network", "method", "mixing", "total", "tau_percent", "xi_percent", "alone_km", "joint_km",
+        "network", "method", "mixing", "terms", "total", "tau_percent", "xi_percent", "alone_km",
+        "joint_km",
         "saving_percent",
     ]  # fmt: skip
 
     def rows() -> Iterable[Sequence[object]]:
         for result in results:
             for k, method in enumerate(result.study.methods):
-                for x, mixing in enumerate(result.study.mixings):
+                for x, reading in enumerate(result.study.readings):
                     found = Measures(result, k, x)
                     for total in TOTALS:
                         alone, joint = found.cost_surfaces(total)
@@ -93,7 +94,8 @@ def write_costs(path: Path, results: Sequence[StudyResult]) -> None:
                             result.study.grid_points().tolist(), alone, joint, strict=True
                         ):
                             yield [
-                                network_label(result), method, mixing, total, 100 * tau, 100 * xi,
+                                network_label(result), method, reading.mixing, reading.terms,
+                                total, 100 * tau, 100 * xi,
                                 float(a) / 1000, float(b) / 1000, 100 * (1 - float(b) / float(a)),
                             ]  # fmt: skip
 
@@ -109,15 +111,17 @@ def write_involvement(path: Path, results: Sequence[StudyResult], method: str) -
         The file to write.
     results : sequence of StudyResult
         One for each placing of the vehicles.
-    method : {"dijkstra", "astar"}
+    method : {"dijkstra", "astar", "astar-closed-once"}
         One that all of them ran.
     """
-    header = ["network", "mixing", "counted", "tau_percent", "xi_percent", "involved_percent"]
+    header = [
+        "network", "mixing", "terms", "counted", "tau_percent", "xi_percent", "involved_percent",
+    ]  # fmt: skip
 
     def rows() -> Iterable[Sequence[object]]:
         for result in results:
             k = [*result.study.methods].index(method)  # type: ignore[arg-type]
-            for x, mixing in enumerate(result.study.mixings):
+            for x, reading in enumerate(result.study.readings):
                 found = Measures(result, k, x)
                 for name in INVOLVEMENTS:
                     surface = found.involvement(name)[0]
@@ -125,8 +129,8 @@ def write_involvement(path: Path, results: Sequence[StudyResult], method: str) -
                         result.study.grid_points().tolist(), surface, strict=True
                     ):
                         yield [
-                            network_label(result), mixing, name, 100 * tau, 100 * xi,
-                            100 * float(share),
+                            network_label(result), reading.mixing, reading.terms, name,
+                            100 * tau, 100 * xi, 100 * float(share),
                         ]  # fmt: skip
 
     write_csv(path, header, rows())
@@ -172,7 +176,9 @@ def _ends(draw: Draw, edge: int) -> tuple[float, ...]:
 
 
 def write_parquet(path: Path, results: Sequence[StudyResult]) -> None:
-    """Write one row for each reading, run, method, mixing, point and vehicle.
+    """Write one row for each placing, run, method, mixing, point and vehicle.
+
+    Costs are those of the first choice of terms; with others the rows would be many times as many.
 
     Parameters
     ----------
@@ -214,7 +220,7 @@ HOW = {
 def _columns(result: StudyResult, k: int, x: int) -> dict[str, object]:
     import pyarrow
 
-    joint = result.joint_cost[:, k, x]
+    joint = result.joint(k, x)
     runs, vehicles = joint.shape[:2]
 
     def spread(values: NDArray[Any], axes: tuple[int, ...]) -> NDArray[Any]:
@@ -225,7 +231,7 @@ def _columns(result: StudyResult, k: int, x: int) -> dict[str, object]:
         return pyarrow.DictionaryArray.from_arrays(codes, pyarrow.array([text]))
 
     at = result.study.grid_points().astype(np.float32)
-    how = result.how[:, k, x].ravel()
+    how = result.of("how", k, x).ravel()
     return {
         "network": same(network_label(result)), "method": same(result.study.methods[k]),
         "mixing": same(result.study.mixings[x]),
@@ -234,9 +240,9 @@ def _columns(result: StudyResult, k: int, x: int) -> dict[str, object]:
         "tau": spread(at[:, 0], (0, 1)), "xi": spread(at[:, 1], (0, 1)),
         "is_master": spread(~result.is_member(), (2,)),
         "applicable": spread(result.applicable[:, k], (2,)),
-        "cost_alone_m": spread(result.solo_cost[:, k], (2,)), "cost_joint_m": joint.ravel(),
-        "platoon_km": (result.platoon_m[:, k, x].ravel() / 1000).astype(np.float32),
-        "merge_node": result.merge[:, k, x].ravel(),
-        "separation_node": result.separation[:, k, x].ravel(),
+        "cost_alone_m": spread(result.solo(k, x), (2,)), "cost_joint_m": joint.ravel(),
+        "platoon_km": (result.of("platoon_m", k, x).ravel() / 1000).astype(np.float32),
+        "merge_node": result.of("merge", k, x).ravel(),
+        "separation_node": result.of("separation", k, x).ravel(),
         **{name: (how & bit) > 0 for name, bit in HOW.items()},
     }  # fmt: skip

@@ -1,4 +1,4 @@
-"""The paper's edge weights, eq. 4, 5 and 12 to 14, against numbers worked out by hand."""
+"""The paper's edge weights, eq. 4, 5 and 11 to 13, against numbers worked out by hand."""
 
 import math
 
@@ -21,7 +21,7 @@ def net():
     return RoadNetwork.from_edges([0, 1], [1, 2], [1000, 500], lon=[9, 9.1, 9.2], lat=[45] * 3)
 
 
-def test_eq_4_travel_time():
+def test_eq_4_and_5_travel_time():
     costs = PaperCosts()
     assert costs.travel_platoon() == pytest.approx(SECONDS_PER_M)
     assert costs.travel_alone() == pytest.approx(SECONDS_PER_M * 13 / 12)
@@ -30,13 +30,13 @@ def test_eq_4_travel_time():
     assert costs.travel_alone() * 110_000 == pytest.approx(3900)
 
 
-def test_eq_5_fuel():
+def test_fuel_alone_and_in_a_platoon():
     costs = PaperCosts(fuel_l_per_100km=30, fuel_saving=0.1)
     assert costs.fuel_alone() * 100_000 == pytest.approx(30)
     assert costs.fuel_platoon() * 100_000 == pytest.approx(27)
 
 
-def test_eq_12_solo_weight_is_distance_plus_time_plus_fuel(net):
+def test_eq_11_solo_weight_is_distance_plus_time_plus_fuel(net):
     # 1 + 13/12 + 1 = 37/12 for each metre.
     assert paper_weights(net).solo == pytest.approx([37 / 12 * 1000, 37 / 12 * 500])
 
@@ -52,7 +52,7 @@ def test_eq_12_solo_weight_is_distance_plus_time_plus_fuel(net):
         (0.5, 0.5, 1.91),
     ],
 )
-def test_eq_13_as_printed(net, tau, xi, per_metre):
+def test_eq_12_as_printed(net, tau, xi, per_metre):
     weights = paper_weights(net, tau=tau, xi=xi, mixing="printed")
     assert weights.platoon == pytest.approx([1000 * per_metre, 500 * per_metre])
 
@@ -68,12 +68,12 @@ def test_eq_13_as_printed(net, tau, xi, per_metre):
         (0.5, 0.5, 1 + 1 + 1 / 24 + 0.5),
     ],
 )
-def test_eq_13_read_as_gains(net, tau, xi, per_metre):
+def test_eq_12_read_as_gains(net, tau, xi, per_metre):
     weights = paper_weights(net, tau=tau, xi=xi, mixing="gain")
     assert weights.platoon == pytest.approx([1000 * per_metre, 500 * per_metre])
 
 
-def test_eq_14_a_journey_sums_solo_and_platoon_edges(net):
+def test_eq_13_a_journey_sums_solo_and_platoon_edges(net):
     weights = paper_weights(net)
     journey = weights.solo[0] + weights.platoon[1]
     assert journey == pytest.approx(1000 * 37 / 12 + 500 * 2.1476)

@@ -14,7 +14,7 @@ import platoon_osm as po
 from platoon_osm.planning.scenario import read_scenario
 
 SCENARIOS = Path(po.__file__).parent / "scenarios"
-PER_KM_ALONE, PER_KM_TOGETHER = 37 / 12, 2.1476  # eq. 12, and eq. 13 at (1, 0.18)
+PER_KM_ALONE, PER_KM_TOGETHER = 37 / 12, 2.1476  # eq. 11, and eq. 12 at (1, 0.18)
 
 
 @pytest.fixture(scope="module")

@@ -4,13 +4,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from oracles import all_pairs
-from random_networks import road_networks
+from random_networks import network, road_networks
 
 from platoon_osm.costs.fatigue import fatigue_heuristic
 from platoon_osm.costs.paper import paper_weights
+from platoon_osm.errors import ScenarioError
 from platoon_osm.network.geodesy import distance_m
 from platoon_osm.planning.routers import AstarRouter, DijkstraRouter
-from platoon_osm.search.dijkstra import ReferenceEngine, astar
+from platoon_osm.search.astar import astar
+from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.search.trees import Trees
 
 
@@ -36,12 +38,13 @@ def test_dijkstra_both_ways(net):
                     assert net.path_nodes(route)[[0, -1]].tolist() == [origin, destination]
 
 
+@pytest.mark.parametrize("method", ["astar", "astar-closed-once"])
 @settings(max_examples=25, deadline=None)
-@given(road_networks())
-def test_astar_finds_drivable_routes_never_cheaper_than_the_least(net):
+@given(net=road_networks())
+def test_astar_finds_drivable_routes_never_cheaper_than_the_least(net, method):
     weight = paper_weights(net).solo
     least = all_pairs(net, weight)
-    router = AstarRouter(net, weight, master_cost=1e5, speed_mps=110 / 3.6)
+    router = AstarRouter(net, weight, 1e5, 110 / 3.6, method)
     for origin in range(net.n):
         for destination in range(net.n):
             cost, route = router.cost(origin, destination), router.route(origin, destination)
@@ -52,12 +55,20 @@ def test_astar_finds_drivable_routes_never_cheaper_than_the_least(net):
                 assert np.array_equal(net.head[route[:-1]], net.tail[route[1:]])
 
 
+@pytest.mark.parametrize(("method", "reopen"), [("astar", True), ("astar-closed-once", False)])
 @settings(max_examples=25, deadline=None)
-@given(road_networks())
-def test_the_router_uses_the_papers_heuristic(net):
+@given(net=road_networks())
+def test_the_router_uses_the_papers_heuristic(net, method, reopen):
     weight = paper_weights(net).solo
     away = distance_m(net.lon, net.lat, net.lon[1], net.lat[1])
-    cost, route = astar(net, weight, 0, 1, fatigue_heuristic(away, 1e5, 110 / 3.6))
-    router = AstarRouter(net, weight, master_cost=1e5, speed_mps=110 / 3.6)
+    cost, route = astar(net, weight, 0, 1, fatigue_heuristic(away, 1e5, 110 / 3.6), reopen)
+    router = AstarRouter(net, weight, 1e5, 110 / 3.6, method)
     assert router.cost(0, 1) == cost
     assert np.array_equal(router.route(0, 1), route)
+
+
+@pytest.mark.parametrize("method", ["dijkstra", "a*", None, 1])
+def test_what_is_no_astar_is_refused(method):
+    net = network([0], [1], [1e3])
+    with pytest.raises(ScenarioError, match="is no A\\*; use astar or astar-closed-once"):
+        AstarRouter(net, net.length_m, 1e5, 110 / 3.6, method)

@@ -5,43 +5,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from made_networks import network, random_networks
+from made_networks import network
+from weighted_networks import WEIGHTS, assert_path, bellman_ford, only, weighted
 
 from platoon_osm.errors import NoRouteError
-from platoon_osm.search.dijkstra import ReferenceEngine, astar
-
-WEIGHTS = st.one_of(st.just(0.0), st.just(float("inf")), st.integers(0, 9).map(float))
-
-
-@st.composite
-def weighted(draw):
-    """Networks with weights that are often equal, zero or infinite."""
-    net = draw(random_networks())
-    return net, np.array(draw(st.lists(WEIGHTS, min_size=net.m, max_size=net.m)), float)
-
-
-def bellman_ford(net, weight, labels, forward=True):
-    dist = np.array(labels, float)
-    ends = (net.tail, net.head) if forward else (net.head, net.tail)
-    for _ in range(net.n):
-        for e in range(net.m):
-            dist[ends[1][e]] = min(dist[ends[1][e]], dist[ends[0][e]] + weight[e])
-    return dist
-
-
-def only(net, node):
-    labels = np.full(net.n, np.inf)
-    labels[node] = 0.0
-    return labels
-
-
-def assert_path(net, weight, edges, start, end, cost):
-    """A path must be connected, go from start to end, and cost what was said."""
-    nodes = [start, *net.head[edges].tolist()]
-    assert net.tail[edges].tolist() == nodes[:-1]
-    assert nodes[-1] == end
-    assert weight[edges].sum() == pytest.approx(cost)
-    assert len(set(nodes)) == len(nodes)
+from platoon_osm.search.dijkstra import ReferenceEngine
 
 
 @settings(max_examples=200, deadline=None)
@@ -116,45 +84,6 @@ def test_many_to_many_from_either_side(case, data):
     for i, source in enumerate(sources):
         expected = bellman_ford(net, weight, only(net, source))
         np.testing.assert_allclose(table[i], expected[targets])
-
-
-@settings(max_examples=200, deadline=None)
-@given(weighted(), st.data())
-def test_astar_is_optimal_with_a_consistent_heuristic(case, data):
-    net, weight = case
-    source, target = (data.draw(st.integers(0, net.n - 1)) for _ in range(2))
-    to_target = bellman_ford(net, weight, only(net, target), forward=False)
-    best = bellman_ford(net, weight, only(net, source))[target]
-    # Any share of the true remaining cost is admissible and consistent; 0 is plain Dijkstra.
-    for share in (0.0, 0.5, 1.0):
-        known = np.where(np.isfinite(to_target), to_target, 1e6)
-        cost, edges = astar(net, weight, source, target, share * known)
-        assert cost == pytest.approx(best)
-        if np.isfinite(best):
-            assert_path(net, weight, edges, source, target, best)
-        else:
-            assert len(edges) == 0
-
-
-@settings(max_examples=100, deadline=None)
-@given(weighted(), st.data())
-def test_astar_with_any_heuristic_finds_a_route_if_there_is_one(case, data):
-    net, weight = case
-    source, target = (data.draw(st.integers(0, net.n - 1)) for _ in range(2))
-    heuristic = data.draw(st.lists(st.floats(0, 50), min_size=net.n, max_size=net.n))
-    cost, edges = astar(net, weight, source, target, heuristic)
-    best = bellman_ford(net, weight, only(net, source))[target]
-    assert np.isfinite(cost) == np.isfinite(best)
-    if np.isfinite(cost):
-        assert cost >= best - 1e-9
-        assert_path(net, weight, edges, source, target, cost)
-
-
-def test_an_inflated_heuristic_is_led_astray():
-    # The closed set keeps the dear way through 1, though the way over 2 is found later.
-    net = network([(0, 0)] * 4, [(0, 1), (0, 2), (2, 1), (1, 3)], length_m=[9.0, 1.0, 1.0, 1.0])
-    assert astar(net, net.length_m, 0, 3, [0, 0, 20, 0])[0] == 10
-    assert astar(net, net.length_m, 0, 3, [0, 0, 0, 0])[0] == 3
 
 
 def test_of_parallel_edges_the_lightest_is_taken_and_of_equal_ones_the_first():

@@ -14,7 +14,8 @@ from platoon_osm.errors import PlatoonError, SearchError
 from platoon_osm.planning.pair import plan_pair
 from platoon_osm.search import engine as engines
 from platoon_osm.search import trees as trees_module
-from platoon_osm.search.dijkstra import ReferenceEngine, astar
+from platoon_osm.search.astar import astar
+from platoon_osm.search.dijkstra import ReferenceEngine
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
 from platoon_osm.search.kept_topology import KeptTopology
 from platoon_osm.search.searches import KEPT_WEIGHTS, Searches

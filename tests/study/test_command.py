@@ -28,7 +28,7 @@ def test_everything_is_written(made):
     names = {path.name for path in made.iterdir()} - {"runs"}
     stems = [
         "figure-1-network", "figure-2-costs", "figure-3-involvement-dijkstra",
-        "figure-4-involvement-astar",
+        "figure-4-involvement-astar", "figure-5-involvement-astar-closed-once",
     ]  # fmt: skip
     assert names == {
         *(f"{stem}{suffix}" for stem in stems for suffix in (".png", ".svg", ".csv")),
@@ -47,8 +47,8 @@ def test_the_parquet_has_every_vehicle_at_every_point(made):
     from pyarrow import parquet
 
     table = parquet.read_table(made / "results.parquet")
-    # 2 placings, 2 methods, 2 mixings, 4 runs, 4 vehicles, 9 + 1 points.
-    assert table.num_rows == 2 * 2 * 2 * 4 * 4 * 10
+    # 2 placings, 3 methods, 2 mixings, 4 runs, 4 vehicles, 9 + 1 points.
+    assert table.num_rows == 2 * 3 * 2 * 4 * 4 * 10
     rows = table.to_pylist()
     assert {row["mixing"] for row in rows} == {"printed", "gain"}
     assert sum(row["is_master"] for row in rows) == len(rows) / 4
@@ -71,7 +71,7 @@ def test_the_report_asks_for_nothing(made):
     assert "default-src &#x27;none&#x27;" in page
     assert not re.search(r'(?:src|href)="(?!data:)', page)
     assert "<script" not in page
-    assert page.count("<img ") == 4
+    assert page.count("<img ") == 5
     assert "paper 33 %" in page
 
 

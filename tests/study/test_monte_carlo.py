@@ -34,7 +34,10 @@ def result():
 
 
 def test_shapes(result):
-    assert result.joint_cost.shape == (7, 2, 2, 5, 2 * 3 + 1)
+    different = len(SMALL.factors().different)
+    assert result.joint_cost.shape == (7, 2, 5, different)
+    for reading in range(2):
+        assert result.joint(1, reading).shape == (7, 5, 2 * 3 + 1)
     assert result.solo_cost.shape == (7, 2, 5)
     assert result.is_member().sum() == 7 * 4
 

@@ -30,53 +30,53 @@ def plan(draw, **options):
     study = Study(
         **{"tau": (1.0,), "xi": (0.18,), "points": (), "mixings": ("printed",), **options}
     )
-    return plan_draw(study, study.platoon_factors(), draw)
+    return plan_draw(study, study.factors(), draw)
 
 
 def test_a_member_that_merges_and_separates_by_hand():
     found = plan(ramps())
     assert found["master"] == 0
     assert found["optimum"] == pytest.approx([300 * KM * W_SOLO, 120 * KM * W_SOLO])
-    joint = found["joint_cost"][0, 0, :, 0]
+    joint = found["joint_cost"][0, :, 0]
     # The member drives 10 + 10 km alone and 100 km together.
     assert joint[1] == pytest.approx(20 * KM * W_SOLO + 100 * KM * W_PLATOON)
     assert joint[0] == pytest.approx(200 * KM * W_SOLO + 100 * KM * W_PLATOON)
-    assert found["platoon_m"][0, 0, :, 0] == pytest.approx([100 * KM, 100 * KM])
-    assert found["merge"][0, 0, :, 0].tolist() == [-1, 1]
-    assert found["separation"][0, 0, :, 0].tolist() == [-1, 2]
-    assert found["how"][0, 0, :, 0].tolist() == [JOINED, ALL]
+    assert found["platoon_m"][0, :, 0] == pytest.approx([100 * KM, 100 * KM])
+    assert found["merge"][0, :, 0].tolist() == [-1, 1]
+    assert found["separation"][0, :, 0].tolist() == [-1, 2]
+    assert found["how"][0, :, 0].tolist() == [JOINED, ALL]
 
 
 def test_members_that_start_or_end_with_the_master_by_hand():
     # 0 to 5 starts with the master; 4 to 3 ends with it; 2 to 5 never meets its way.
     found = plan(ramps((0, 0, 4, 2), (3, 5, 3, 5)))
-    how = found["how"][0, 0, :, 0].tolist()
+    how = found["how"][0, :, 0].tolist()
     assert how[1] == JOINED | DRIVES_AFTER | MASTER_GOES_ON
     assert how[2] == JOINED | DRIVES_BEFORE | MASTER_UNDERWAY
     assert how[3] == 0
-    assert found["joint_cost"][0, 0, 3, 0] == found["optimum"][3]
+    assert found["joint_cost"][0, 3, 0] == found["optimum"][3]
     # Somebody is with the master all the way.
-    assert found["joint_cost"][0, 0, 0, 0] == pytest.approx(300 * KM * W_PLATOON)
+    assert found["joint_cost"][0, 0, 0] == pytest.approx(300 * KM * W_PLATOON)
 
 
 def test_case_a_needs_the_destination_on_the_route_and_b_the_origin():
     draw = ramps((0, 0, 4, 4), (3, 5, 3, 5))
     a, b = plan(draw, case="A"), plan(draw, case="B")
     assert a["applicable"][0].tolist() == [True, False, True, False]
-    assert (a["merge"][0, 0, :, 0] >= 0).tolist() == [False, False, True, False]
+    assert (a["merge"][0, :, 0] >= 0).tolist() == [False, False, True, False]
     assert b["applicable"][0].tolist() == [True, True, False, False]
-    assert (b["merge"][0, 0, :, 0] >= 0).tolist() == [False, True, False, False]
+    assert (b["merge"][0, :, 0] >= 0).tolist() == [False, True, False, False]
 
 
 def test_access_edges_are_not_roads():
     draw = ramps()
-    by_road = plan(draw)["how"][0, 0, 1, 0]
+    by_road = plan(draw)["how"][0, 1, 0]
     ramp = np.asarray(draw.net.tail == 4)
     on_foot = type(draw)(
         draw.net, draw.origins, draw.destinations, ramp, draw.x_m, draw.y_m
     )  # fmt: skip
     assert by_road & DRIVES_BEFORE
-    assert not plan(on_foot)["how"][0, 0, 1, 0] & DRIVES_BEFORE
+    assert not plan(on_foot)["how"][0, 1, 0] & DRIVES_BEFORE
 
 
 @pytest.mark.parametrize("case", ["A", "B", "C"])
@@ -89,7 +89,8 @@ def test_the_grid_is_the_planner_run_point_by_point(case, mixing):
     joined = 0
     for seed in range(4):
         draw = study.network.draw(np.random.default_rng(seed))
-        found = plan_draw(study, study.platoon_factors(), draw)
+        factors = study.factors()
+        found, at = plan_draw(study, factors, draw), factors.at[0]
         others = np.delete(np.arange(10), int(found["master"]))
         for p, (tau, xi) in enumerate(study.grid_points()):
             weights = paper_weights(draw.net, tau=float(tau), xi=float(xi), mixing=mixing)
@@ -103,9 +104,9 @@ def test_the_grid_is_the_planner_run_point_by_point(case, mixing):
                 draw.net, weights, route, draw.origins[others], draw.destinations[others], case,
                 engine="reference",
             )  # fmt: skip
-            assert found["merge"][0, 0, others, p].tolist() == plans.merge.tolist()
-            assert found["separation"][0, 0, others, p].tolist() == plans.separation.tolist()
-            assert found["joint_cost"][0, 0, others, p] == pytest.approx(plans.cost, rel=1e-12)
+            assert found["merge"][0, others, at[p]].tolist() == plans.merge.tolist()
+            assert found["separation"][0, others, at[p]].tolist() == plans.separation.tolist()
+            assert found["joint_cost"][0, others, at[p]] == pytest.approx(plans.cost, rel=1e-12)
             assert found["applicable"][0, others].tolist() == plans.applicable.tolist()
             joined += (plans.merge >= 0).sum()
     assert joined > 0
@@ -114,28 +115,28 @@ def test_the_grid_is_the_planner_run_point_by_point(case, mixing):
 def test_a_run_is_a_joint_plan_by_dijkstra():
     study = Study(tau=(1.0,), xi=(0.18,), points=(), mixings=("printed",))
     draw = study.network.draw(np.random.default_rng(11))
-    found = plan_draw(study, study.platoon_factors(), draw)
+    found = plan_draw(study, study.factors(), draw)
     trips = [
         Trip(f"V{k}", int(o), int(g))
         for k, (o, g) in enumerate(zip(draw.origins, draw.destinations, strict=True))
     ]
     weights = paper_weights(draw.net, tau=1.0, xi=0.18)
     whole = plan_joint(draw.net, weights, trips, "C")
-    ours = found["joint_cost"][0, 0, :, 0]
+    ours = found["joint_cost"][0, :, 0]
     assert ours == pytest.approx([vehicle.joint_cost for vehicle in whole.vehicles], rel=1e-9)
 
 
 def test_astar_pairs_are_searched_one_by_one():
     study = Study(tau=(0.2, 1.0), xi=(0.18,), points=(), mixings=("printed",), methods=("astar",))
     draw = study.network.draw(np.random.default_rng(5))
-    found = plan_draw(study, study.platoon_factors(), draw)
+    found = plan_draw(study, study.factors(), draw)
     # Never below the optimum, and the heuristic is far above what remains.
     assert (found["solo_cost"][0] >= found["optimum"] * (1 - 1e-12)).all()
     assert (found["solo_cost"][0] > found["optimum"] * 1.01).any()
     assert np.median(found["overestimate"]) > 10
-    joined = found["how"][0, 0] & JOINED > 0
+    joined = found["how"][0] & JOINED > 0
     members = np.arange(10) != int(found["master"])
-    better = found["joint_cost"][0, 0] <= found["solo_cost"][0][:, None] * (1 + 1e-9)
+    better = found["joint_cost"][0] <= found["solo_cost"][0][:, None] * (1 + 1e-9)
     assert better[members].all()
     assert joined[members].any()
 

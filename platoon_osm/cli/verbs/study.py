@@ -39,8 +39,9 @@ def _one_of(*words: str) -> click.Choice[str]:
         _option(RUNS, "runs", "Networks drawn for each reading."),
         _option(RUNS, "seed", "Of all draws."),
         _option(RUNS, "workers", "Processes; one for each core unless given.", kind=int),
-        _option(RUNS, "method", "dijkstra, astar or both."),
+        _option(RUNS, "method", "Any of dijkstra, astar, astar-closed-once."),
         _option(RUNS, "mixing", "printed, gain or both."),
+        _option(RUNS, "terms", "What eq. 11 and 12 add up; figures show the first."),
         _option(RUNS, "case", "A, B or C."),
         _option(
             RUNS, "diameter_km", "Spawn circles; 1,200,400,600 unless given, 200 on a real network."
@@ -89,7 +90,7 @@ Examples:
 def verb(**chosen: Any) -> None:
     """Repeat the paper's Monte Carlo and put every number it prints beside ours.
 
-    It does so under each reading of what the paper leaves open. Writes four figures (PNG, SVG,
+    It does so under each reading of what the paper leaves open. Writes five figures (PNG, SVG,
     CSV), results.parquet, comparison.csv and report.html. A study that was interrupted goes on
     where it stopped.
     """

@@ -16,7 +16,7 @@ __all__ = ["OSM_CREDIT", "credits", "proof_text", "provenance"]
 
 OSM_CREDIT = "\u00a9 OpenStreetMap contributors, ODbL"
 
-METHODS = {"dijkstra": "Dijkstra", "astar": "A*"}
+METHODS = {"dijkstra": "Dijkstra", "astar": "A*", "astar-closed-once": "A*, each node once"}
 
 PROOF_KEYS = frozenset({"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum"})
 
