@@ -11,6 +11,7 @@ from typing import Any, get_args
 import numpy as np
 
 from ..errors import NetworkError
+from .coordinate_text import coordinates_in
 from .location import Location, Place, Role
 from .nearest_road import MOST_CANDIDATES, located_at
 from .place_index import PlaceIndex, fold, join_towns
@@ -35,7 +36,8 @@ def locate(
         Where to look.
     place : int, (float, float), Location, Place or str
         A node position; longitude and latitude in degrees; a `Location`, which stays what it is;
-        a `Place`; or the name of a junction or town, in any case and without accents if need be;
+        a `Place`; a text such as "10.22, 45.54", longitude first; or the name of a junction or
+        town, in any case and without accents if need be;
         "Novara Est (A4)" tells two of the same name apart.
     role : {"origin", "destination", "any"}
         "origin" takes nodes from which the main network can be reached, "destination" nodes
@@ -70,7 +72,10 @@ def locate(
             found = locate(net, place.at, role)
         return replace(found, name=place.label) if place.label else found
     if isinstance(place, str):
-        return _by_name(net, place, role)
+        pair = coordinates_in(place)
+        if pair is None:
+            return _by_name(net, place, role)
+        place = pair
     if isinstance(place, Location):
         _node(net, place.node)
         return place

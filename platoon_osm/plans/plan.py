@@ -238,7 +238,7 @@ class Plan:
         """
         file = brief(path) if not isinstance(path, str | os.PathLike) else path
         try:
-            data = json.loads(Path(path).read_text(encoding="utf-8"))
+            data = json.loads(Path(path).read_bytes())  # in any Unicode, with or without a mark
         except OSError as error:
             raise ScenarioError(f"{file}: cannot be read ({error.strerror})") from error
         except (TypeError, ValueError, RecursionError):

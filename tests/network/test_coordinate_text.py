@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import platoon_osm as po
 from platoon_osm.errors import NetworkError
 from platoon_osm.network.coordinate_text import coordinates_in
 
@@ -86,3 +87,20 @@ def test_a_long_text_takes_no_time():
     for text in ("1", "1 ", "1,1", "1\u00b0", "1.1 N", "1 N ", "1.1, "):
         for count in (30, 60, 50_000):
             assert len(read(text * count)[1]) < 300
+
+
+def test_a_place_in_python_may_be_such_a_text():
+    net = po.load_network("italy-motorways")
+    for role in ("origin", "destination", "any"):
+        assert net.locate("9.03, 45.83", role) == net.locate((9.03, 45.83), role)
+        assert net.locate("9,03; 45,83", role) == net.locate((9.03, 45.83), role)
+    with pytest.raises(NetworkError, match="longitude comes first"):
+        net.locate("45.83, 99.03")
+    with pytest.raises(NetworkError, match="may be one number or two"):
+        net.locate("9,03")
+    weights = po.paper_weights(net)
+    plans = [
+        po.plan_joint(net, weights, [po.Trip("A", place, "Trieste")])
+        for place in ("9.03 45.83", (9.03, 45.83))
+    ]
+    assert plans[0] == plans[1]

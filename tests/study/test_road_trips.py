@@ -54,6 +54,13 @@ def test_trips_by_flows_are_drawn_by_volume(italy, flows_file):
     assert sum(draw.impossible for draw in draws) > 0
 
 
+def test_flows_that_a_spreadsheet_saved(italy, flows_file):
+    plain = read_flows(flows_file, italy)
+    for file in (flows_file, flows_file.with_name("segments.csv")):
+        file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes().replace(b"\n", b"\r\n"))
+    np.testing.assert_array_equal(read_flows(flows_file, italy).volume, plain.volume)
+
+
 def test_flows_of_places_far_away_are_left_out_and_counted(italy, flows_file):
     segments = flows_file.with_name("segments.csv")
     segments.write_text(segments.read_text() + "5,1,13.40,52.52,1,1,1\n6,5,8.68,50.11,1,1,1\n")
