@@ -10,7 +10,7 @@ from .access import STANDARD_ACCESS, Access
 from .geodesy import distance_m
 from .location import Location, RoadPoint, Role, format_position
 from .road_network import ROAD_CLASSES, RoadNetwork
-from .road_points import RoadPoints, road_points
+from .road_points import DEGREE_M, RoadPoints, road_points
 from .usable_nodes import UsableNodes
 
 __all__ = ["MOST_CANDIDATES", "is_closed", "located_at"]
@@ -29,6 +29,9 @@ between junctions: by a service area, or a gate that the map does not have."""
 
 FARTHEST_TOWN_KM = 200.0
 """A town farther than this from any road is not of this map."""
+
+NEAR_DEG = 0.5
+"""Junctions are looked for within so much latitude first, 55 km, and only then everywhere."""
 
 MOST_CANDIDATES = 12
 
@@ -83,8 +86,8 @@ def located_at(
         A network without roads, or a point far from all of them.
     """
     nodes = net.attached(UsableNodes)
-    usable = np.flatnonzero(nodes.of(role))
-    if not len(usable):
+    fits = nodes.of(role)
+    if not fits.any():
         raise NetworkError(
             f"place ({lon}, {lat}): {net.source.name} has no road to start or end on"
         )
@@ -93,12 +96,12 @@ def located_at(
     limit_km = access.limit_km if name is None else FARTHEST_TOWN_KM
     if road_m > limit_km * 1000:
         _refuse(net, lon, lat, road_m, limit_km)
-    away = distance_m(net.lon[usable], net.lat[usable], lon, lat)
-    order = np.argsort(away, kind="stable")
-    nearest = float(away[order[0]])
+    usable, away = _nearest_nodes(net, fits, lon, lat)
+    nearest = float(away[0])
 
     def within(limit: float, most: int) -> tuple[tuple[int, float], ...]:
-        return tuple((int(usable[i]), float(away[i])) for i in order[:most] if away[i] <= limit)
+        return tuple((int(usable[i]), float(away[i])) for i in range(len(away[:most]))
+                     if away[i] <= limit)
 
     beside = nearest + OTHER_CARRIAGEWAY_M
     if name is not None:
@@ -122,6 +125,20 @@ def located_at(
             enters = _lowest(net, roads, mapped & ~closed & (roads.away_m <= limit))
     own = _name_beside_road(net, lon, lat)
     return Location(node, own, lon, lat, road_m, candidates, enters=enters, beside_road=True)
+
+
+def _nearest_nodes(
+    net: RoadNetwork, fits: NDArray[np.bool_], lon: float, lat: float
+) -> tuple[Index, NDArray[np.float64]]:
+    """Return nodes by their distance [m]; all that are nearer than `OTHER_JUNCTION` times the first."""
+    near = np.flatnonzero(fits & (np.abs(net.lat - lat) < NEAR_DEG))
+    away = distance_m(net.lon[near], net.lat[near], lon, lat)
+    reach = NEAR_DEG * DEGREE_M
+    if not len(near) or away.min() * OTHER_JUNCTION + OTHER_CARRIAGEWAY_M > reach:
+        near = np.flatnonzero(fits)
+        away = distance_m(net.lon[near], net.lat[near], lon, lat)
+    order = np.argsort(away, kind="stable")
+    return near[order], away[order]
 
 
 def is_closed(net: RoadNetwork, edge: int) -> bool:

@@ -15,7 +15,7 @@ from .geodesy import metres_per_degree
 from .road_network import RoadNetwork
 from .shapes import ragged_order
 
-__all__ = ["RoadPoints", "points_along", "road_points"]
+__all__ = ["DEGREE_M", "RoadPoints", "points_along", "road_points"]
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
