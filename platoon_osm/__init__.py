@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         PlatoonError,
         ScenarioError,
     )
+    from .network.access import Access
     from .network.location import Location, Place
     from .network.road_network import RoadNetwork
     from .planning.cases import plan_members
@@ -55,6 +56,7 @@ _WHERE = {
     "NoRouteError": "errors",
     "PlatoonError": "errors",
     "ScenarioError": "errors",
+    "Access": "network.access",
     "Location": "network.location",
     "Place": "network.location",
     "RoadNetwork": "network.road_network",
@@ -91,6 +93,7 @@ _WHERE = {
 __all__ = [
     "FUEL_SAVINGS",
     "PAPER_STUDY",
+    "Access",
     "EdgeWeights",
     "FatigueModel",
     "FuelSaving",

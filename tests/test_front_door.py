@@ -56,15 +56,18 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "earliest_departure": None, "latest_departure": None, "latest_arrival": None,
             "flexibility_min": None,
         }),
+        "Access": (po.Access, _defaults(po.Access())),
         "Place": (po.Place, {"at": "Torino", "osmid": None, "label": "home"}),
         "Problem": (po.Problem, {
             "net": net, "trips": trips, "objective": weights, "rules": NO_RULES, "case": "C",
             "master": "A", "method": "dijkstra", "optimum": "member", "engine": "auto",
+            "access": po.Access(),
         }),
         "solve": (po.solve, {"problem": po.Problem(net, tuple(trips), weights)}),
         "plan_joint": (po.plan_joint, {
             "net": net, "weights": weights, "trips": trips, "case": "C", "master": "A",
             "method": "dijkstra", "objective": "member", "engine": "auto",
+            "access": po.Access(),
         }),
         "plan_members": (po.plan_members, {
             "net": net, "weights": weights, "route": route, "origins": [int(net.tail[route[0]])],
@@ -79,6 +82,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         }),
         "net.locate": (net.locate, {
             "place": "Torino", "role": "origin", "osmid": None, "label": None,
+            "access": po.Access(),
         }),
         "net.locate(osmid)": (net.locate, {
             "place": None, "role": "any", "osmid": int(net.node_id[0]), "label": "x",
@@ -129,7 +133,7 @@ def _defaults(made: Any) -> dict[str, Any]:
 
 NAMES = (
     "Trip", "Problem", "solve", "plan_joint", "plan_members", "many_to_many", "load_network",
-    "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights", "PaperCosts",
+    "Access", "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights", "PaperCosts",
     "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",

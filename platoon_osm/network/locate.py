@@ -11,6 +11,7 @@ from typing import Any, get_args
 import numpy as np
 
 from ..errors import NetworkError
+from .access import STANDARD_ACCESS, Access
 from .coordinate_text import coordinates_in
 from .location import Location, Place, Role
 from .nearest_road import MOST_CANDIDATES, located_at
@@ -26,7 +27,13 @@ class RoleError(NetworkError, ValueError):
 
 
 def locate(
-    net: RoadNetwork, place: Any = None, role: Role = "any", *, osmid: Any = None, label: Any = None
+    net: RoadNetwork,
+    place: Any = None,
+    role: Role = "any",
+    *,
+    osmid: Any = None,
+    label: Any = None,
+    access: Access = STANDARD_ACCESS,
 ) -> Location:
     """Find a place on the network.
 
@@ -46,6 +53,8 @@ def locate(
         Id of an OpenStreetMap node, instead of `place`.
     label : str, optional
         What the place is to be called, instead of the name found for it.
+    access : Access
+        Of a point: what counts as on the road, and how far beside it a place may be.
 
     Returns
     -------
@@ -59,6 +68,8 @@ def locate(
         (listed), coordinates off the globe or far from every road, or a role that is none.
     """
     net = checked_network(net)
+    if not isinstance(access, Access):
+        raise NetworkError(f"access {_shown(access)} is none; give an Access")
     if not isinstance(role, str) or role not in get_args(Role):
         raise RoleError(f"role {_shown(role)} is unknown; use {', '.join(get_args(Role))}")
     if osmid is not None or label is not None:
@@ -69,7 +80,7 @@ def locate(
         if place.osmid is not None:
             found = _at_nodes(net, *_known_osmid(net, place.osmid))
         else:
-            found = locate(net, place.at, role)
+            found = locate(net, place.at, role, access=access)
         return replace(found, name=place.label) if place.label else found
     if isinstance(place, str):
         pair = coordinates_in(place)
@@ -77,18 +88,29 @@ def locate(
             return _by_name(net, place, role)
         place = pair
     if isinstance(place, Location):
-        _node(net, place.node)
+        _check_location(net, place)
         return place
     if isinstance(place, int | np.integer) and not isinstance(place, bool):
         return _at_nodes(net, _node(net, place))
     lon, lat = _coordinates(place)
-    return located_at(net, lon, lat, role, name=None)
+    return located_at(net, lon, lat, role, None, access)
 
 
 def _at_nodes(net: RoadNetwork, *nodes: int) -> Location:
     node = nodes[0]
     at = float(net.lon[node]), float(net.lat[node])
     return Location(node, net.place_name(node), *at, 0.0, tuple((own, 0.0) for own in nodes))
+
+
+def _check_location(net: RoadNetwork, place: Location) -> None:
+    for node, _ in ((place.node, 0.0), *place.candidates):
+        _node(net, node)
+    for point in (*place.on_road, *place.enters):
+        if not 0 <= point.edge < net.m:
+            raise NetworkError(
+                f"{place.name} lies on edge {_shown(point.edge)}, the network has edges 0 to "
+                f"{net.m - 1}; locate it on this network"
+            )
 
 
 def _shown(value: object) -> str:

@@ -100,8 +100,9 @@ def located_at(
     nearest = float(away[0])
 
     def within(limit: float, most: int) -> tuple[tuple[int, float], ...]:
-        return tuple((int(usable[i]), float(away[i])) for i in range(len(away[:most]))
-                     if away[i] <= limit)
+        return tuple(
+            (int(usable[i]), float(away[i])) for i in range(len(away[:most])) if away[i] <= limit
+        )
 
     beside = nearest + OTHER_CARRIAGEWAY_M
     if name is not None:
@@ -130,7 +131,7 @@ def located_at(
 def _nearest_nodes(
     net: RoadNetwork, fits: NDArray[np.bool_], lon: float, lat: float
 ) -> tuple[Index, NDArray[np.float64]]:
-    """Return nodes by their distance [m]; all that are nearer than `OTHER_JUNCTION` times the first."""
+    """Return nodes and how far they are [m], nearest first, with all that may be a choice."""
     near = np.flatnonzero(fits & (np.abs(net.lat - lat) < NEAR_DEG))
     away = distance_m(net.lon[near], net.lat[near], lon, lat)
     reach = NEAR_DEG * DEGREE_M
@@ -167,7 +168,7 @@ def _refuse(net: RoadNetwork, lon: float, lat: float, road_m: float, limit_km: f
         + (
             "give longitude first, then latitude"
             if exchanged
-            else "load a map of that region, or raise the limit"
+            else "load a map of that region, or give access=Access(limit_km=...) in Python"
         )
     )
 

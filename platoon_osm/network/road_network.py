@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import NetworkError
 from ..offers import offered
+from .access import STANDARD_ACCESS, Access
 from .arrays import NetworkArrays
 from .columns import POINT_KINDS, ROAD_CLASSES, columns_per
 from .components import connected_share, strong_components
@@ -347,7 +348,13 @@ class RoadNetwork(NetworkArrays):
     # -- what upper rooms offer ----------------------------------------------------------------
 
     def locate(
-        self, place: Any = None, role: Role = "any", *, osmid: Any = None, label: Any = None
+        self,
+        place: Any = None,
+        role: Role = "any",
+        *,
+        osmid: Any = None,
+        label: Any = None,
+        access: Access = STANDARD_ACCESS,
     ) -> Location:
         """Find the node of a place; see `platoon_osm.network.locate.locate`.
 
@@ -361,13 +368,17 @@ class RoadNetwork(NetworkArrays):
             Id of an OpenStreetMap node, instead of `place`.
         label : str, optional
             What the place is to be called.
+        access : Access
+            Of a point: what counts as on the road, and how far beside it a place may be.
 
         Returns
         -------
         Location
             The place.
         """
-        found: Location = offered("locate")(self, place, role, osmid=osmid, label=label)
+        found: Location = offered("locate")(
+            self, place, role, osmid=osmid, label=label, access=access
+        )
         return found
 
     def save(self, path: Any) -> None:

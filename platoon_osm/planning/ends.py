@@ -9,7 +9,7 @@ import numpy as np
 
 from ..costs.weights import EdgeWeights
 from ..errors import NoRouteError, PlatoonError, ScenarioError
-from ..network.access import STANDARD_ACCESS
+from ..network.access import STANDARD_ACCESS, Access
 from ..network.locate import locate
 from ..network.location import Location, Place, Role
 from ..network.road_network import RoadNetwork
@@ -51,7 +51,9 @@ class TripEnds:
     destination_name: str
 
 
-def located(net: RoadNetwork, trips: Sequence[Trip]) -> list[Ends]:
+def located(
+    net: RoadNetwork, trips: Sequence[Trip], access: Access = STANDARD_ACCESS
+) -> list[Ends]:
     """Find the places of trips on a network.
 
     Parameters
@@ -60,6 +62,8 @@ def located(net: RoadNetwork, trips: Sequence[Trip]) -> list[Ends]:
         The network.
     trips : sequence of Trip, (N,)
         Places as names, coordinates, nodes, locations or `Place`.
+    access : Access
+        What counts as on the road, and how far beside it a place may be.
 
     Returns
     -------
@@ -71,10 +75,13 @@ def located(net: RoadNetwork, trips: Sequence[Trip]) -> list[Ends]:
     PlatoonError
         A place that is not there, with trip and end; or a trip that ends where it starts.
     """
-    return [(_located(net, trip, "origin"), _located(net, trip, "destination")) for trip in trips]
+    return [
+        (_located(net, trip, "origin", access), _located(net, trip, "destination", access))
+        for trip in trips
+    ]
 
 
-def _located(net: RoadNetwork, trip: Trip, end: Role) -> Location:
+def _located(net: RoadNetwork, trip: Trip, end: Role, access: Access) -> Location:
     asked = trip.origin if end == "origin" else trip.destination
     place = asked.at if isinstance(asked, Place) else asked
     if isinstance(place, Location):
@@ -85,7 +92,7 @@ def _located(net: RoadNetwork, trip: Trip, end: Role) -> Location:
                     f"has nodes 0 to {net.n - 1}; locate it on this network"
                 )
     try:
-        return locate(net, asked, end)
+        return locate(net, asked, end, access=access)
     except PlatoonError as error:
         raise type(error)(f"trip {trip.vehicle!r}, {end}: {error}") from error
 

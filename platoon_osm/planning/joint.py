@@ -11,6 +11,7 @@ from ..costs.placed_weights import placed_weights
 from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive
 from ..errors import ScenarioError, brief
+from ..network.access import STANDARD_ACCESS, Access
 from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
@@ -55,6 +56,7 @@ def plan_joint(
     method: Method = "dijkstra",
     master: str | None = None,
     engine: EngineName = "auto",
+    access: Access = STANDARD_ACCESS,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
 
@@ -79,6 +81,8 @@ def plan_joint(
         Name of the vehicle that keeps its route; by default that of the longest route.
     engine : {"auto", "reference", "hierarchy"}
         Which engine searches, "auto" the one that is likely faster; routes do not depend on it.
+    access : Access
+        How places beside the road get onto it, and how far from it they may be.
 
     Returns
     -------
@@ -105,7 +109,7 @@ def plan_joint(
     return solve(
         Problem(
             net=net, trips=given, objective=costs, case=case, master=master, method=method,
-            optimum=objective, engine=engine,
+            optimum=objective, engine=engine, access=access,
         )
     )  # fmt: skip
 
@@ -132,7 +136,8 @@ def solve(problem: Problem) -> Plan:
         raise ScenarioError(
             f"plan: {brief(problem)} is no Problem; make one from a network, trips and an objective"
         )
-    places = placed(problem.net, located(problem.net, problem.trips))
+    locations = located(problem.net, problem.trips, problem.access)
+    places = placed(problem.net, locations, problem.access)
     net = places.net
     weights = placed_weights(problem.objective, net, "plan")
     problem = replace(problem, net=net)

@@ -11,6 +11,7 @@ from ..costs.weights import EdgeWeights
 from ..driving.rules import NO_RULES, DrivingRules
 from ..errors import ScenarioError, brief
 from ..kinds import kind_of
+from ..network.access import STANDARD_ACCESS, Access
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
@@ -48,6 +49,8 @@ class Problem:
         Whose cost is least: each member's own (the paper), or that of members and master together.
     engine : {"auto", "reference", "hierarchy"}
         Which engine searches; routes do not depend on it.
+    access : Access
+        How places beside the road get onto it.
 
     Raises
     ------
@@ -64,6 +67,7 @@ class Problem:
     method: Method = "dijkstra"
     optimum: Optimum = "member"
     engine: EngineName = "auto"
+    access: Access = STANDARD_ACCESS
 
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
@@ -84,6 +88,8 @@ class Problem:
             raise ScenarioError(
                 f"plan: rules is a {kind_of(self.rules)}; give driving rules, such as NO_RULES"
             )
+        if not isinstance(self.access, Access):
+            raise ScenarioError(f"plan: access is a {kind_of(self.access)}; give an Access")
         names = [trip.vehicle for trip in self.trips]
         if self.master is not None and not (isinstance(self.master, str) and self.master in names):
             raise ScenarioError(

@@ -104,7 +104,7 @@ def test_distance_is_to_the_road_not_to_the_node():
 def test_distance_is_to_the_road_that_is_taken():
     # The island 6 - 7 is near, but no trip can leave it: the road meant is 80 km away.
     message = refused(small_italy(), at(50_500, 80_100), "80 km from the nearest road", "50 km")
-    assert "raise the limit" in message
+    assert "give access=Access(limit_km=...)" in message
 
 
 @pytest.mark.parametrize(
@@ -210,7 +210,9 @@ def test_the_road_in_brackets_decides():
 def test_a_place_far_from_every_road_is_refused():
     net = small_italy()
     assert net.locate((10.5, 45.4)).distance_m > 40_000
-    refused(net, (11.0, 46.5), "km from the nearest road", "more than 50 km", "raise the limit")
+    refused(
+        net, (11.0, 46.5), "km from the nearest road", "more than 50 km", "Access(limit_km=...)"
+    )
     refused(net, (45.0, 10.0), "km from the nearest road", "give longitude first")
     refused(net, (0.0, 0.0), "km from the nearest road", "load a map of that region")
     refused(net, (13.4, 52.5), "load a map of that region")
