@@ -181,7 +181,7 @@ class Plan:
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Plan:
-        """Rebuild a plan from `to_dict`; plans of versions 1 and 2 open too.
+        """Rebuild a plan from `to_dict`; plans of versions 1 to 3 open too.
 
         Parameters
         ----------
