@@ -25,7 +25,7 @@ from .weights import EdgeWeights
 __all__ = ["Mixing", "PaperCosts", "PaperTerm", "paper_weights"]
 
 Mixing = Literal["printed", "gain"]
-Position = Literal["leader", "follower"]
+Position = Literal["leader", "follower", "middle", "last"]
 Floats = NDArray[np.float64]
 
 
@@ -80,7 +80,9 @@ class PaperCosts:
         s, share of fuel saved in a platoon, [0, 1), by each vehicle: the lead is rotated.
     positions : str or None
         Name of a preset of `FUEL_SAVINGS` if the lead is not rotated: the master leads and saves
-        the leader's share, members save the follower's; it stands in place of `fuel_saving`.
+        the leader's share, the last vehicle saves the last one's, and those between save that of
+        the middle; it stands in place of `fuel_saving`. Members choose as if each saved the lesser
+        of middle and last.
     speed_kmh : float
         v_c, cruising speed [km/h].
     rest_s, driving_s : float
@@ -133,8 +135,8 @@ class PaperCosts:
 
         Parameters
         ----------
-        position : {"leader", "follower"}
-            Where it drives.
+        position : {"leader", "follower", "middle", "last"}
+            Where it drives; "follower" is any place behind the first, as it is planned with.
 
         Returns
         -------
@@ -144,7 +146,12 @@ class PaperCosts:
         if self.positions is None:
             return self.fuel_saving
         preset = fuel_saving(self.positions)
-        return preset.leader if position == "leader" else preset.last
+        return {
+            "leader": preset.leader,
+            "middle": preset.middle,
+            "last": preset.last,
+            "follower": min(preset.middle, preset.last),
+        }[position]
 
     # Each method is one of the paper's symbols, per metre of road.
 
@@ -183,8 +190,8 @@ class PaperCosts:
 
         Parameters
         ----------
-        position : {"leader", "follower"}
-            Where it drives.
+        position : {"leader", "follower", "middle", "last"}
+            Where it drives; "follower" is any place behind the first, as it is planned with.
 
         Returns
         -------
@@ -238,15 +245,20 @@ class PaperCosts:
 
         Parameters
         ----------
-        position : {"leader", "follower"}
-            Where it drives.
+        position : {"leader", "follower", "middle", "last"}
+            Where it drives; "follower" is any place behind the first, as it is planned with.
 
         Returns
         -------
         float
             Metre equivalents a metre.
         """
-        return self._factor("master" if position == "leader" else "member")
+        factor = self._factor("master" if position == "leader" else "member")
+        if position in ("leader", "follower") or self.positions is None:
+            return factor
+        # Positions stand with the printed mixing alone, where fuel is a term of its own.
+        more = self.saving(position) - self.saving("follower")
+        return factor - self.xi * more
 
     def _factor(self, role: Role) -> float:
         return sum(term.per_metre[role] for term in self.terms())
@@ -267,6 +279,10 @@ class PaperCosts:
             Alone, in a platoon, and as its master.
         """
         del vehicle
+        real: dict[Position, Floats | None] = {"middle": None, "last": None}
+        if self.saving("middle") != self.saving("last"):
+            for position in real:
+                real[position] = net.length_m * self.platoon_factor(position)
         return EdgeWeights(
             solo=net.length_m * self.solo_factor(),
             platoon=net.length_m * self.platoon_factor("follower"),
@@ -274,9 +290,12 @@ class PaperCosts:
             unit=self.unit,
             params=self.params,
             fuel_l_per_m=(
-                self.fuel_alone(), self.fuel_platoon("leader"), self.fuel_platoon("follower")
+                self.fuel_alone(), self.fuel_platoon("leader"), self.fuel_platoon("last")
             ),
             network=net.identity(),
+            middle=real["middle"],
+            last=real["last"],
+            middle_fuel_l_per_m=self.fuel_platoon("middle"),
         )  # fmt: skip
 
     def waiting(self, seconds: float) -> float:

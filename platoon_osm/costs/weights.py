@@ -25,7 +25,8 @@ class EdgeWeights:
     Attributes
     ----------
     solo, platoon : ndarray of float, (m,)
-        Cost of one vehicle alone, and of one member of a platoon.
+        Cost of one vehicle alone, and of one member of a platoon as it is planned with: how many
+        will drive together is not known when members choose.
     master : ndarray of float, (m,)
         Cost of the vehicle whose route the others join, in a platoon; equal to `platoon` where the
         lead is rotated.
@@ -39,11 +40,17 @@ class EdgeWeights:
     network : str
         `RoadNetwork.identity` of the network they were made for; empty if that was not told, and
         then any network of as many edges will do.
+    middle, last : ndarray of float, (m,), or None
+        What a member really pays between first and last, and as the last, where its place matters;
+        at most `platoon`. None if it pays `platoon`.
+    middle_fuel_l_per_m : float or None
+        Litres a metre between first and last; None if they are a member's as above.
 
     Raises
     ------
     ScenarioError
-        Arrays of other sizes, or a cost that is negative or not finite.
+        Arrays of other sizes, a cost that is negative or not finite, or a member's real cost above
+        the one that is planned with.
     """
 
     solo: Floats
@@ -53,9 +60,14 @@ class EdgeWeights:
     params: Mapping[str, Any]
     fuel_l_per_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
     network: str = ""
+    middle: Floats | None = None
+    last: Floats | None = None
+    middle_fuel_l_per_m: float | None = None
 
     def __post_init__(self) -> None:
-        for label in ("solo", "platoon", "master"):
+        for label in ("solo", "platoon", "master", "middle", "last"):
+            if getattr(self, label) is None and label in ("middle", "last"):
+                continue
             array = _numbers(label, getattr(self, label))
             if array.shape != (np.size(self.solo),):
                 raise ScenarioError(
@@ -73,6 +85,15 @@ class EdgeWeights:
             frozen = array.copy()
             frozen.flags.writeable = False
             object.__setattr__(self, label, frozen)
+        for label in ("middle", "last"):
+            real = getattr(self, label)
+            if real is not None and (real > self.platoon).any():
+                edge = int(np.argmax(real > self.platoon))
+                raise ScenarioError(
+                    f"weights: {label} cost of edge {edge} is {real[edge]:g}, above the "
+                    f"{self.platoon[edge]:g} that is planned with; platoon must be the dearer of "
+                    "middle and last"
+                )
 
     def weights(self, net: RoadNetwork, vehicle: object = None) -> EdgeWeights:
         """Return these weights, once it is sure that they are the network's.
@@ -149,8 +170,36 @@ class EdgeWeights:
         alone = float(self.solo[ids].sum())
         if size < 2:
             return Share(alone, alone, length_m * alone_l, length_m * alone_l)
-        weight, litres = (self.master, leading_l) if position == 0 else (self.platoon, following_l)
+        weight, litres = self.platoon, following_l
+        if position == 0:
+            weight, litres = self.master, leading_l
+        elif position == size - 1:
+            weight = self.platoon if self.last is None else self.last
+        else:
+            weight = self.platoon if self.middle is None else self.middle
+            if self.middle_fuel_l_per_m is not None:
+                litres = self.middle_fuel_l_per_m
         return Share(float(weight[ids].sum()), alone, length_m * litres, length_m * alone_l)
+
+    def least_by_position(self, vehicles: int) -> float:
+        """Return the least ratio of what a member may really pay to what is planned with.
+
+        Parameters
+        ----------
+        vehicles : int
+            How many there are in all; one can drive in the middle only among three.
+
+        Returns
+        -------
+        float
+            At most 1, which it is where places do not matter.
+        """
+        least = 1.0
+        for real, needed in ((self.last, 2), (self.middle, 3)):
+            if real is not None and vehicles >= needed:
+                paid = self.platoon > 0
+                least = min(least, float((real[paid] / self.platoon[paid]).min(initial=1.0)))
+        return least
 
 
 def _numbers(label: str, values: ArrayLike) -> Floats:

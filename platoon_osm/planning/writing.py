@@ -28,6 +28,7 @@ from ..plans.records import (
 )
 from ..plans.stretches import Run, runs_along, stretched
 from .ends import TripEnds
+from .positions import proved_by_position
 from .problem import Problem
 
 __all__ = ["identity_of", "written_plan"]
@@ -128,7 +129,7 @@ def written_plan(
         unit=weights.unit,
         params=dict(weights.params),
         network=identity_of(net),
-        proof=proof,
+        proof=proved_by_position(proof, weights, stretches, len(trips)),
         remarks=(*_inferred(net, trips, runs, ways), *_between_junctions(net, trips, runs, ways)),
         version=__version__,
     )
