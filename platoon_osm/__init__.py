@@ -153,6 +153,7 @@ def __dir__() -> list[str]:
 # What lower rooms let people call of upper ones; nothing is loaded before someone does.
 for _name, _where in {
     "locate": "network.locate",
+    "place_name": "network.naming",
     "save_network": "network.saved.store",
     "to_networkx": "sources.graphs.exchange",
     "from_networkx": "sources.graphs.exchange",

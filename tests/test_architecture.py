@@ -18,7 +18,7 @@ WALLS = {
         "shown_text", "offers", "network", "sources", "search",
         "costs", "plans", "driving", "planning", "study", "report", "cli",
     ),
-    "network": ("preparing", "saved"),
+    "network": ("towns", "preparing", "saved"),
     "sources": ("graphs", "osm", "overpass"),
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),

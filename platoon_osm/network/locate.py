@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from collections.abc import Set as AnySet
 from dataclasses import replace
@@ -12,12 +11,12 @@ import numpy as np
 
 from ..errors import NetworkError
 from .access import STANDARD_ACCESS, Access
+from .by_name import located_by_name
 from .coordinate_text import coordinates_in
 from .location import Location, Place, Role
-from .nearest_road import MOST_CANDIDATES, located_at
-from .place_index import PlaceIndex, fold, join_towns
+from .naming import node_name
+from .nearest_road import located_at
 from .road_network import RoadNetwork, checked_network
-from .usable_nodes import UsableNodes
 
 __all__ = ["locate"]
 
@@ -85,7 +84,7 @@ def locate(
     if isinstance(place, str):
         pair = coordinates_in(place)
         if pair is None:
-            return _by_name(net, place, role)
+            return located_by_name(net, place, role, access)
         place = pair
     if isinstance(place, Location):
         _check_location(net, place)
@@ -99,7 +98,9 @@ def locate(
 def _at_nodes(net: RoadNetwork, *nodes: int) -> Location:
     node = nodes[0]
     at = float(net.lon[node]), float(net.lat[node])
-    return Location(node, net.place_name(node), *at, 0.0, tuple((own, 0.0) for own in nodes))
+    name = node_name(net, node)
+    candidates = tuple((own, 0.0) for own in nodes)
+    return Location(node, name.text, *at, 0.0, candidates, from_geonames=name.from_geonames)
 
 
 def _check_location(net: RoadNetwork, place: Location) -> None:
@@ -160,54 +161,3 @@ def _coordinates(place: Any) -> tuple[float, float]:
             "latitude within [-90, 90]"
         )
     return lon, lat
-
-
-def _by_name(net: RoadNetwork, text: str, role: Role) -> Location:
-    found = re.fullmatch(r"\s*(.+?)\s*(?:\(([^()]*)\))?\s*", text, re.DOTALL)
-    wanted = fold(found.group(1)) if found else ""
-    road = fold(found.group(2) or "").replace(" ", "") if found else ""
-    if not wanted:
-        raise NetworkError(f"place {text!r}: an empty name; give a junction, a town or (lon, lat)")
-    index = net.attached(PlaceIndex)
-    if road and fold(text) in index:
-        # The brackets belong to the name, as in "Frankfurt (Oder)".
-        wanted, road = fold(text), ""
-    matches = index.matches(wanted)
-    shown = f"place {text[:80]!r}"
-    if road and matches:
-        there = [item for item in matches if road in item.roads() | {item.kind}]
-        if not there:
-            listed = "; ".join(item.label() for item in matches[:6])
-            raise NetworkError(f"{shown}: not on that road; there is {listed}")
-        matches = there
-    if not matches:
-        hint = ", ".join(index.nearest_spellings(wanted))
-        raise NetworkError(
-            f"{shown}: no junction or town of that name in {net.source.name}; "
-            + (f"did you mean {hint}?" if hint else "give (lon, lat) instead")
-        )
-    matches = join_towns(matches)
-    if len(matches) > 1:
-        listed = "; ".join(item.label() for item in matches[:6])
-        more = f"; and {len(matches) - 6} more" if len(matches) > 6 else ""
-        raise NetworkError(
-            f"{shown} is ambiguous: {listed}{more}; add the road in brackets, as in "
-            f'"{matches[0].name} ({next(iter(sorted(matches[0].refs)), "A1")})", or give (lon, lat)'
-        )
-    match = matches[0]
-    usable = net.attached(UsableNodes).of(role)
-    nodes = [node for node in match.nodes if usable[node]]
-    if not nodes:
-        return located_at(net, match.lon, match.lat, role, match.name)
-    candidates = _ranked(net, nodes)
-    return Location(candidates[0][0], match.name, match.lon, match.lat, 0.0, candidates)
-
-
-def _ranked(net: RoadNetwork, nodes: list[int]) -> tuple[tuple[int, float], ...]:
-    """Nodes of a junction with zero access distance, those where ramps begin and end first."""
-    link = (net.road_class % 2 == 1).astype(np.int64)
-    ramps = np.bincount(net.tail, link, net.n) + np.bincount(net.head, link, net.n)
-    own = np.bincount(net.tail, 1 - link, net.n) + np.bincount(net.head, 1 - link, net.n)
-    # A gate, touched by ramps alone, serves both directions, so it is the best place to start.
-    ranked = sorted(nodes, key=lambda v: (own[v] > 0, ramps[v] == 0, v))
-    return tuple((int(node), 0.0) for node in ranked[:MOST_CANDIDATES])

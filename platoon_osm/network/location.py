@@ -61,6 +61,8 @@ class Location:
     beside_road : bool
         Whether the place lies beside the road, so that the way to it counts: to one of the
         `candidates`, or to a point where it `enters`.
+    from_geonames : bool
+        Whether the place, or a town in its name, is from GeoNames, who are to be credited.
     """
 
     node: int
@@ -73,6 +75,7 @@ class Location:
     on_road: tuple[RoadPoint, ...] = ()
     enters: tuple[RoadPoint, ...] = ()
     beside_road: bool = False
+    from_geonames: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import NetworkError
-from .columns import POINT_KINDS, columns_per
-from .geodesy import distance_m
+from .columns import columns_per
 from .making import in_its_type
 
 __all__ = ["NamedPoints"]
@@ -71,23 +70,3 @@ class NamedPoints:
         return NamedPoints, tuple(
             getattr(self, column.name.removeprefix(PREFIX)) for column in columns_per("named point")
         )
-
-    def nearest_town(self, lon: float, lat: float) -> tuple[int, float] | None:
-        """Find the city, town or village nearest to a point.
-
-        Parameters
-        ----------
-        lon, lat : float
-            The point [deg].
-
-        Returns
-        -------
-        (int, float) or None
-            Its position in this table and how far it is [m]; None if there is none.
-        """
-        towns = np.flatnonzero(self.kind >= POINT_KINDS.index("city"))
-        if not len(towns):
-            return None
-        away = distance_m(self.lon[towns], self.lat[towns], lon, lat)
-        nearest = int(np.argmin(away))
-        return int(towns[nearest]), float(away[nearest])

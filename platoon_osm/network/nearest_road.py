@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from ..errors import NetworkError
 from .access import STANDARD_ACCESS, Access
 from .geodesy import distance_m
-from .location import Location, RoadPoint, Role, format_position
+from .location import Location, RoadPoint, Role
+from .naming import NodeName, node_name, point_name
 from .road_network import ROAD_CLASSES, RoadNetwork
 from .road_points import DEGREE_M, RoadPoints, road_points
 from .usable_nodes import UsableNodes
@@ -45,9 +46,6 @@ CLOSED = tuple(ROAD_CLASSES.index(kind) for kind in CLOSED_CLASSES)
 
 AT_A_NODE = 1e-9
 """Shares of an edge nearer to its ends than this are its ends."""
-
-TOWN_M = 50_000.0
-"""A town farther away than this is no help to find a place."""
 
 
 def located_at(
@@ -115,7 +113,10 @@ def located_at(
     on_road = _lowest(net, roads, mapped & (roads.away_m <= access.on_road_m))
     if on_road:
         own = _name_on_road(net, on_road[0], lon, lat)
-        return Location(node, own, lon, lat, road_m, candidates, on_road=on_road)
+        return Location(
+            node, own.text, lon, lat, road_m, candidates, on_road=on_road,
+            from_geonames=own.from_geonames,
+        )  # fmt: skip
     enters: tuple[RoadPoint, ...] = ()
     if mapped.any():
         near = float(roads.away_m[mapped].min())
@@ -124,8 +125,11 @@ def located_at(
             enters = _lowest(net, roads, mapped & (roads.away_m <= near + OTHER_CARRIAGEWAY_M))
         else:
             enters = _lowest(net, roads, mapped & ~closed & (roads.away_m <= limit))
-    own = _name_beside_road(net, lon, lat)
-    return Location(node, own, lon, lat, road_m, candidates, enters=enters, beside_road=True)
+    own = point_name(net, lon, lat)
+    return Location(
+        node, own.text, lon, lat, road_m, candidates, enters=enters, beside_road=True,
+        from_geonames=own.from_geonames,
+    )  # fmt: skip
 
 
 def _nearest_nodes(
@@ -204,20 +208,10 @@ def _lowest(
     return tuple(found)
 
 
-def _name_on_road(net: RoadNetwork, point: RoadPoint, lon: float, lat: float) -> str:
-    """Return a name people understand for a point of a road, as `RoadNetwork.place_name` does."""
+def _name_on_road(net: RoadNetwork, point: RoadPoint, lon: float, lat: float) -> NodeName:
     for node, share in ((net.tail[point.edge], 0.0), (net.head[point.edge], 1.0)):
         if point.share == share:
-            return net.place_name(int(node))
-    road = net.edge_ref(point.edge) or net.edge_name(point.edge)
-    near = net.points.nearest_town(lon, lat)
-    if near is not None and near[1] < TOWN_M:
-        return f"{road or 'road'} near {net.texts[net.points.name[near[0]]]}"
-    return f"{road} at {format_position(lon, lat)}".strip()
-
-
-def _name_beside_road(net: RoadNetwork, lon: float, lat: float) -> str:
-    near = net.points.nearest_town(lon, lat)
-    if near is not None and near[1] < TOWN_M:
-        return f"near {net.texts[net.points.name[near[0]]]}"
-    return format_position(lon, lat)
+            return node_name(net, int(node))
+    return point_name(
+        net, lon, lat, net.edge_ref(point.edge) or net.edge_name(point.edge) or "road"
+    )

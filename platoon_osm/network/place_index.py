@@ -1,10 +1,8 @@
-"""The names of a network: which junctions and towns a name may mean."""
+"""The names of a network's map: which junctions and towns a name may mean."""
 
 from __future__ import annotations
 
 import difflib
-import re
-import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -12,8 +10,9 @@ import numpy as np
 
 from .geodesy import distance_m
 from .road_network import POINT_KINDS, RoadNetwork, format_position
+from .spelling import fold, road_keys
 
-__all__ = ["NamedPlace", "PlaceIndex", "fold", "join_towns"]
+__all__ = ["SAME_PLACE_M", "NamedPlace", "PlaceIndex", "clusters", "gap_m", "join_towns"]
 
 SAME_PLACE_M = 6_000.0
 """Nodes of one name nearer than this are one place: its carriageways, ramps and toll gates."""
@@ -21,43 +20,27 @@ SAME_PLACE_M = 6_000.0
 TOWN_AND_JUNCTION_M = 15_000.0
 """A junction named like a town and nearer to it than this is that town's junction."""
 
-LETTERS = str.maketrans({"ł": "l", "ø": "o", "đ": "d", "ð": "d", "ı": "i", "æ": "ae", "œ": "oe"})
-"""Letters that people without them on the keyboard write so; Unicode does not decompose them."""
-
-
-def fold(text: str) -> str:
-    """Reduce a name to what people remember of it: no case, accents, punctuation or spaces.
-
-    Parameters
-    ----------
-    text : str
-        A name as the map or a person writes it.
-
-    Returns
-    -------
-    str
-        Words in lower case, a blank between them.
-    """
-    plain = unicodedata.normalize("NFKD", text.casefold().translate(LETTERS))
-    return re.sub(r"[\W_]+", " ", "".join(c for c in plain if not unicodedata.combining(c))).strip()
-
 
 @dataclass(frozen=True, slots=True)
 class NamedPlace:
-    """One named place: a cluster of junction nodes, or a town.
+    """One place that a name may mean: a cluster of nodes, or a town.
 
     Attributes
     ----------
     name : str
         As the map writes it.
     kind : str
-        "junction", or the kind of town.
+        "junction", "exit", "road", or the kind of town.
     lon, lat : float
         Its middle [deg].
     nodes : tuple of int
         Nodes of a junction; none of a town.
     refs : frozenset of str
         Road numbers that meet there.
+    where : str
+        Region and country of a town that is not from the map.
+    from_geonames : bool
+        Whether the place, or a town in its name, is from GeoNames.
     """
 
     name: str
@@ -66,6 +49,8 @@ class NamedPlace:
     lat: float
     nodes: tuple[int, ...]
     refs: frozenset[str]
+    where: str = ""
+    from_geonames: bool = False
 
     def roads(self) -> set[str]:
         """Return the road numbers as they are compared: "A 4;E 64" is the a4 and the e64.
@@ -75,7 +60,7 @@ class NamedPlace:
         set of str
             Folded, without spaces.
         """
-        return {fold(part).replace(" ", "") for ref in self.refs for part in ref.split(";")}
+        return road_keys(self.refs)
 
     def label(self) -> str:
         """Return how the place is told from others of its name.
@@ -85,8 +70,13 @@ class NamedPlace:
         str
             Name, roads or kind, and coordinates.
         """
+        at = format_position(self.lon, self.lat)
+        if self.where:
+            return f"{self.name}, {self.where} ({at})"
+        if self.kind in ("exit", "road"):
+            return f"{self.name} at {at}"
         roads = ", ".join(sorted(self.refs)) or self.kind
-        return f"{self.name} ({roads}) at {format_position(self.lon, self.lat)}"
+        return f"{self.name} ({roads}) at {at}"
 
 
 class PlaceIndex:
@@ -104,7 +94,7 @@ class PlaceIndex:
         for node in np.flatnonzero(net.node_name):
             by_name.setdefault(int(net.node_name[node]), []).append(int(node))
         for code, nodes in by_name.items():
-            for group in _clusters(net, nodes):
+            for group in clusters(net, nodes):
                 refs = frozenset(ref for v in group for ref in net.incident_refs(v))
                 lon, lat = float(net.lon[group].mean()), float(net.lat[group].mean())
                 self._add(NamedPlace(net.texts[code], "junction", lon, lat, tuple(group), refs))
@@ -115,13 +105,11 @@ class PlaceIndex:
             self._add(NamedPlace(name, kind, *at, (), frozenset()))
 
     def _add(self, place: NamedPlace) -> None:
-        self._places.setdefault(fold(place.name), []).append(place)
+        if key := fold(place.name):
+            self._places.setdefault(key, []).append(place)
 
-    def __contains__(self, folded: str) -> bool:
-        return folded in self._places
-
-    def matches(self, folded: str) -> list[NamedPlace]:
-        """Return the places of a name; if none has it, those in whose name it stands.
+    def called(self, folded: str) -> list[NamedPlace]:
+        """Return the places of a name.
 
         Parameters
         ----------
@@ -133,7 +121,22 @@ class PlaceIndex:
         list of NamedPlace
             Empty if there are none.
         """
-        return self._places.get(folded) or [
+        return self._places.get(folded, [])
+
+    def containing(self, folded: str) -> list[NamedPlace]:
+        """Return the places in whose name some words stand.
+
+        Parameters
+        ----------
+        folded : str
+            The words as `fold` returns them.
+
+        Returns
+        -------
+        list of NamedPlace
+            Empty if there are none.
+        """
+        return [
             item
             for key, items in self._places.items()
             if f" {folded} " in f" {key} "
@@ -185,16 +188,45 @@ def join_towns(matches: Iterable[NamedPlace]) -> list[NamedPlace]:
     return cities if len(cities) == 1 else junctions + lonely
 
 
-def _clusters(net: RoadNetwork, nodes: list[int]) -> list[list[int]]:
-    """Split nodes of one name into places, each within `SAME_PLACE_M` of its first node."""
+def clusters(net: RoadNetwork, nodes: list[int]) -> list[list[int]]:
+    """Split nodes of one name into places, each within `SAME_PLACE_M` of its first node.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    nodes : list of int
+        Node positions.
+
+    Returns
+    -------
+    list of list of int
+        The nodes of each place.
+    """
     groups: list[list[int]] = []
     for node in nodes:
         for group in groups:
-            first = group[0]
-            gap = distance_m(net.lon[first], net.lat[first], net.lon[node], net.lat[node])
-            if gap <= SAME_PLACE_M:
+            if gap_m(net, group[0], node) <= SAME_PLACE_M:
                 group.append(node)
                 break
         else:
             groups.append([node])
     return groups
+
+
+def gap_m(net: RoadNetwork, one: int, other: int) -> float:
+    """Return the distance [m] between two nodes as the crow flies.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    one, other : int
+        Node positions.
+
+    Returns
+    -------
+    float
+        Metres.
+    """
+    return float(distance_m(net.lon[one], net.lat[one], net.lon[other], net.lat[other]))

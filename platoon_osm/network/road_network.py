@@ -38,9 +38,6 @@ Ints = NDArray[np.int32]
 
 SHAPE = frozenset({"shape_first", "shape_lon", "shape_lat"})
 
-FARTHEST_TOWN_M = 50_000.0
-"""A town farther away than this is no help to find a place."""
-
 
 class RoadNetwork(NetworkArrays):
     """A directed road network of n nodes and m edges; an edge's id is its array position.
@@ -184,11 +181,26 @@ class RoadNetwork(NetworkArrays):
         )
         return tuple(sorted({self.edge_ref(int(e)) for e in edges} - {""}))
 
+    def exit_number(self, node: int) -> str:
+        """Return the number signed at a node ("519B", "12A;12B"), empty if it has none.
+
+        Parameters
+        ----------
+        node : int
+            Node position.
+
+        Returns
+        -------
+        str
+            Number.
+        """
+        return str(self.texts[self.node_ref[node]])
+
     def place_name(self, node: int) -> str:
         """Return a name people understand for any node.
 
-        The junction's name; else its exit number with the road; else the road and the nearest
-        town; else the coordinates.
+        The junction's name; else its road and exit number, with the nearest town; else the road
+        near that town; else the coordinates. See `platoon_osm.network.naming.node_name`.
 
         Parameters
         ----------
@@ -200,16 +212,7 @@ class RoadNetwork(NetworkArrays):
         str
             A name.
         """
-        if name := self.junction_name(node):
-            return name
-        road = " / ".join(self.incident_refs(node)[:2])
-        if number := self.texts[self.node_ref[node]]:
-            return f"{road} exit {number}".strip()
-        at = float(self.lon[node]), float(self.lat[node])
-        near = self.points.nearest_town(*at)
-        if near is not None and near[1] < FARTHEST_TOWN_M:
-            return f"{road or 'road'} near {self.texts[self.points.name[near[0]]]}"
-        return f"{road} at {format_position(*at)}".strip()
+        return offered("place_name")(self, node)  # type: ignore[no-any-return]
 
     # -- what follows from it ------------------------------------------------------------------
 

@@ -25,6 +25,7 @@ from ..search.trees import Trees
 from .ends import TripEnds, located, resolve_trips
 from .master import longest_route
 from .pair import PairPlan, plan_pair
+from .place_remarks import with_place_remarks
 from .places import placed
 from .problem import Optimum, Problem, check_choice
 from .routers import AstarRouter, DijkstraRouter, Method
@@ -146,7 +147,8 @@ def solve(problem: Problem) -> Plan:
     trees = Trees(net.attached(Searches).under(weights.solo, expected, problem.engine))
     ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
     case = _Cases(problem, weights, tuple(ends), trees)
-    return _with_rules(with_times(case.best(), problem.trips), problem)
+    plan = with_place_remarks(case.best(), net, locations)
+    return _with_rules(with_times(plan, problem.trips), problem)
 
 
 @dataclass(frozen=True, slots=True)

@@ -117,5 +117,6 @@ class RoadChoice:
             "nodes after contracting chains": merged.n,
             "edges after contracting chains": merged.m,
             "named junctions": int((merged.node_name > 0).sum()),
+            "numbered junctions": int((merged.node_ref > 0).sum()),
         }
         return merged.with_report(LoadReport(counts, remarks))

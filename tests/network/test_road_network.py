@@ -203,10 +203,21 @@ def test_place_names_from_best_to_worst():
     numbered = network(
         [(0, 0), (9_000, 0)], [(0, 1)], node_ref=["12", ""], ref=["A4"], node_name=["", ""]
     )
-    assert numbered.place_name(0) == "A4 exit 12"
-    assert numbered.place_name(1) == "A4 at 45.000 N 10.114 E"
-    bare = network([(0, 0), (9_000, 0)], [(0, 1)])
-    assert bare.place_name(0) == "at 45.000 N 10.000 E"
+    # The map names no town, so GeoNames does.
+    assert numbered.place_name(0) == "A4 exit 12, Cremona"
+    assert numbered.place_name(1) == "A4 near Fidenza"
+    assert network([(0, 0), (9_000, 0)], [(0, 1)]).place_name(0) == "road near Cremona"
+    at_sea = {"tail": [0], "head": [1], "lon": [-30.0, -30.1], "lat": [45.0, 45.0]}
+    lonely = RoadNetwork.from_edges(**at_sea, node_ref=["12", ""], ref=["A4"])
+    assert lonely.place_name(0) == "A4 exit 12"
+    assert lonely.place_name(1) == "A4 at 45.000 N 30.100 W"
+    assert RoadNetwork.from_edges(**at_sea).place_name(0) == "at 45.000 N 30.000 W"
+
+
+def test_a_name_or_number_of_blanks_is_none():
+    at_sea = {"tail": [0], "head": [1], "lon": [-30.0, -30.1], "lat": [45.0, 45.0]}
+    net = RoadNetwork.from_edges(**at_sea, node_name=["  ", "x"], node_ref=[" ", ""], ref=["A4"])
+    assert net.place_name(0) == "A4 at 45.000 N 30.000 W"
 
 
 def test_a_services_area_is_no_town():

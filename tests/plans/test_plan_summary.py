@@ -8,6 +8,7 @@ from random_networks import network
 
 from platoon_osm.costs.paper import paper_weights
 from platoon_osm.costs.weights import EdgeWeights
+from platoon_osm.network.towns.surroundings import GEONAMES_CREDIT
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.trip import Trip
 
@@ -45,7 +46,8 @@ def test_table_points_and_proof(road):
     assert (
         f"B merges with A at {where[0]} (its km 10), separates at {where[1]} (its km 20)" in lines
     )
-    assert lines[-1].startswith("Proved optimal (waiting at merging points is free")
+    assert lines[-2].startswith("Proved optimal (waiting at merging points is free")
+    assert lines[-1] == f"Note: {GEONAMES_CREDIT}"
 
 
 def test_who_stays_alone_and_why(road):

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
+from ...network.towns.surroundings import GEONAMES_CREDIT
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
 from ..markup.quantities import CostUnit, percent
@@ -81,6 +82,8 @@ def credits(plan: Plan, net: RoadNetwork) -> tuple[str, ...]:
             lines.append(fitted(own))
     if not any("openstreetmap" in line.casefold() for line in lines):
         lines.append(OSM_CREDIT)
+    if GEONAMES_CREDIT in plan.remarks:
+        lines.append(GEONAMES_CREDIT)
     return tuple(lines)
 
 

@@ -219,6 +219,7 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
         "nodes read": net.n, "directed segments read": net.m,
         "nodes after contracting chains": merged.n, "edges after contracting chains": merged.m,
         "named junctions": int((merged.node_name > 0).sum()),
+        "numbered junctions": int((merged.node_ref > 0).sum()),
         "service and rest areas": int((merged.points.kind < POINT_KINDS.index("city")).sum()),
     }  # fmt: skip
     return merged.with_report(report.extended(sizes))

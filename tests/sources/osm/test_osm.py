@@ -64,6 +64,7 @@ def test_the_counts_of_the_small_map(tmp_path, suffix):
         "nodes after contracting chains": 7,
         "edges after contracting chains": 7,
         "named junctions": 1,
+        "numbered junctions": 1,
         "service and rest areas": 0,
     }
 
@@ -122,7 +123,7 @@ def test_chains_are_contracted_across_ways_and_junctions_stay(tmp_path):
 def test_a_junction_number_without_a_name(tmp_path):
     signs = {2: {"highway": "motorway_junction", "ref": "17a"}}
     net = read(tmp_path, row(3, tags=signs), {1: ([1, 2, 3], {**MOTORWAY, "ref": "A 9"})})
-    assert net.place_name(net.node_id.tolist().index(2)) == "A 9 exit 17a"
+    assert net.place_name(net.node_id.tolist().index(2)) == "A 9 exit 17a, Mirandola"
 
 
 def test_toll_begins_at_its_node(tmp_path):
@@ -229,6 +230,7 @@ def test_every_remark_is_counted_by_ways(tmp_path):
         "nodes after contracting chains": 4,
         "edges after contracting chains": 2,
         "named junctions": 0,
+        "numbered junctions": 0,
         "service and rest areas": 0,
     }
     assert "8  ways kept" in str(report)
