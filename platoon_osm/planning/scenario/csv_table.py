@@ -17,13 +17,15 @@ __all__ = ["read_csv"]
 DELIMITERS = (",", ";", "\t", "|")
 
 
-def read_csv(file: Path) -> list[Row]:
+def read_csv(file: Path, content: bytes | None) -> list[Row]:
     """Read a table of text; the delimiter is the one that makes most sense of the header.
 
     Parameters
     ----------
     file : Path
         The file.
+    content : bytes or None
+        What it holds, if that was read before.
 
     Returns
     -------
@@ -35,7 +37,7 @@ def read_csv(file: Path) -> list[Row]:
     ScenarioError
         It cannot be read, has no header, or a quotation that does not end.
     """
-    text = read_text(file, "a table of trips (CSV)")
+    text = read_text(file, "a table of trips (CSV)", content)
     first = 1
     told = text.partition("\n")[0].strip().strip('"')
     delimiter = None

@@ -26,7 +26,7 @@ NO_TRIPS = {"nodes", "edges"}
 """Layers of a network as OSMnx saves it."""
 
 
-def read_geopackage(file: Path, layer: str | None) -> list[Row]:
+def read_geopackage(file: Path, layer: str | None, content: bytes | None) -> list[Row]:
     """Read a layer of a GeoPackage.
 
     Parameters
@@ -35,6 +35,8 @@ def read_geopackage(file: Path, layer: str | None) -> list[Row]:
         The GeoPackage.
     layer : str or None
         Name of the layer; by default the only one, or the one called "trips".
+    content : bytes or None
+        What it holds, if that was read before.
 
     Returns
     -------
@@ -52,10 +54,12 @@ def read_geopackage(file: Path, layer: str | None) -> list[Row]:
         warnings.simplefilter("ignore")  # of a name in upper case, and of what no column is
         try:
             # GDAL goes by the name where there is one, so a file of another name comes without.
-            content = file if file.suffix.lower() == ".gpkg" else file.read_bytes()
-            layers = [str(name) for name in pyogrio.list_layers(content)[:, 0]]
+            data: Any = content
+            if content is None:
+                data = file if file.suffix.lower() == ".gpkg" else file.read_bytes()
+            layers = [str(name) for name in pyogrio.list_layers(data)[:, 0]]
             name = _chosen(file, layers, layer)
-            table = pyogrio.read_dataframe(content, layer=name)
+            table = pyogrio.read_dataframe(data, layer=name)
         except ScenarioError:
             raise
         except Exception as error:  # GDAL's kinds of error are many

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ...errors import ScenarioError, brief
 
-__all__ = ["beginning_of", "kind_by_content", "path_of", "read_text"]
+__all__ = ["MOST_BYTES", "beginning_of", "kind_by_content", "path_of", "read_text"]
 
 MOST_BYTES = 256 * 2**20
 """No table of trips is longer; it keeps a device or a map given by mistake from filling memory."""
@@ -132,7 +132,7 @@ def kind_by_content(data: bytes) -> tuple[str, str] | None:
     return None
 
 
-def read_text(file: Path, what: str) -> str:
+def read_text(file: Path, what: str, content: bytes | None = None) -> str:
     r"""Read a text file, its line ends as \n.
 
     Parameters
@@ -141,6 +141,8 @@ def read_text(file: Path, what: str) -> str:
         The file.
     what : str
         What it should be, for messages: "a TOML file".
+    content : bytes, optional
+        What it holds, if that was read before.
 
     Returns
     -------
@@ -152,7 +154,7 @@ def read_text(file: Path, what: str) -> str:
     ScenarioError
         It cannot be read, is of another kind, or in an encoding other than UTF-8 and UTF-16.
     """
-    data = beginning_of(file, MOST_BYTES + 1)
+    data = beginning_of(file, MOST_BYTES + 1) if content is None else content
     if found := kind_by_content(data):
         raise ScenarioError(f"{file}: is {found[1]} by its content, not {what}; name {what}")
     if len(data) > MOST_BYTES:

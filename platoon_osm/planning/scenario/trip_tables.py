@@ -11,7 +11,7 @@ from .cells import row_of
 from .csv_table import read_csv
 from .geopackage_table import read_geopackage
 from .rows import Row
-from .text_file import beginning_of, kind_by_content, path_of
+from .text_file import MOST_BYTES, beginning_of, kind_by_content, path_of
 from .trip_rows import trip_of
 from .xlsx_table import read_xlsx
 
@@ -81,12 +81,14 @@ def read_trips(path: str | os.PathLike[str], sheet: str | None = None) -> list[T
 def _rows(file: Path, sheet: str | None) -> list[Row]:
     """Read the rows of a file by its content, for names may say otherwise."""
     suffix = file.suffix.lower()
-    found = kind_by_content(beginning_of(file, 64))
+    # What comes through a pipe can be read once.
+    content = None if file.is_file() else beginning_of(file, MOST_BYTES + 1)
+    found = kind_by_content(beginning_of(file, 64) if content is None else content)
     kind = found[0] if found else ""
     if kind == "zip" and suffix not in OTHER_FILES:
-        return read_xlsx(file, sheet)
+        return read_xlsx(file, sheet, content)
     if kind == "gpkg":
-        return read_geopackage(file, sheet)
+        return read_geopackage(file, sheet, content)
     if suffix in OTHER_FILES:
         raise ScenarioError(f"{file}: {OTHER_FILES[suffix]}")
     if kind == "ole":
@@ -98,4 +100,4 @@ def _rows(file: Path, sheet: str | None) -> list[Row]:
         raise ScenarioError(f"{file}: is not {what} by its content; save it again")
     if sheet is not None:
         raise ScenarioError(f"{file}: has no sheets; leave {sheet!r} out")
-    return read_csv(file)
+    return read_csv(file, content)

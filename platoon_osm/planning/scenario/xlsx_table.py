@@ -15,6 +15,7 @@ from ...errors import ScenarioError, brief
 from ...plans.trip import TIMES
 from .cells import column_named, is_blank
 from .rows import Row, rows_under
+from .text_file import MOST_BYTES, beginning_of
 
 __all__ = ["read_xlsx"]
 
@@ -25,7 +26,7 @@ FIRST_DAY, LAST_DAY = 1, 2_500_000
 """Numbers of days that fall into the calendar, up to the year 8744."""
 
 
-def read_xlsx(file: Path, sheet: str | None) -> list[Row]:
+def read_xlsx(file: Path, sheet: str | None, content: bytes | None) -> list[Row]:
     """Read a sheet of a workbook.
 
     Parameters
@@ -34,6 +35,8 @@ def read_xlsx(file: Path, sheet: str | None) -> list[Row]:
         The workbook.
     sheet : str or None
         Name of the sheet; by default the first.
+    content : bytes or None
+        What it holds, if that was read before.
 
     Returns
     -------
@@ -53,14 +56,15 @@ def read_xlsx(file: Path, sheet: str | None) -> list[Row]:
             f"{file}: workbooks are read with openpyxl; install it (pip install openpyxl), or save "
             "the sheet as CSV UTF-8"
         ) from None
-    _check_size(file)
+    # Else openpyxl would go by the name.
+    data = beginning_of(file, MOST_BYTES) if content is None else content
+    _check_size(file, data)
     with warnings.catch_warnings():
         # Of parts of workbooks that it does not know, none of which is a cell.
         warnings.simplefilter("ignore")
         try:
-            content = file.read_bytes()  # else openpyxl would go by the name
             values, formulas = (
-                openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=data_only)
+                openpyxl.load_workbook(io.BytesIO(data), read_only=True, data_only=data_only)
                 for data_only in (True, False)
             )
             try:
@@ -77,9 +81,9 @@ def read_xlsx(file: Path, sheet: str | None) -> list[Row]:
             ) from error
 
 
-def _check_size(file: Path) -> None:
+def _check_size(file: Path, data: bytes) -> None:
     try:
-        with zipfile.ZipFile(file) as archive:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
             size = sum(part.file_size for part in archive.infolist())
             names = set(archive.namelist())
     except Exception as error:  # zipfile raises half a dozen kinds on damaged files

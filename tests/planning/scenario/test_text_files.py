@@ -2,12 +2,14 @@
 
 import io
 import os
+import threading
 import zipfile
 
 import openpyxl
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from trip_files import write_gpkg, write_xlsx
 
 import platoon_osm as po
 from platoon_osm.planning.scenario import read_scenario
@@ -73,6 +75,24 @@ def test_folders_and_files_that_are_not_there(tmp_path):
         for wrong in (None, 3, "", b"x", [], "a\0b"):
             with pytest.raises(po.ScenarioError):
                 read(wrong)
+
+
+@pytest.mark.parametrize("kind", ["csv", "xlsx", "gpkg", "toml"])
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes with a name")
+def test_what_comes_through_a_pipe_is_read_once(tmp_path, kind):
+    rows = [{"vehicle": "M\u00fcller", "origin": "Torino", "destination": "Forl\u00ec"}]
+    file = put(tmp_path, "t.csv", TABLE.encode())
+    if kind == "toml":
+        file = put(tmp_path, "t.toml", TOML.encode())
+    elif kind != "csv":
+        file = {"xlsx": write_xlsx, "gpkg": write_gpkg}[kind](tmp_path / f"t.{kind}", rows)
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    writer = threading.Thread(target=pipe.write_bytes, args=[file.read_bytes()])
+    writer.start()
+    read = read_scenario(pipe).trips if kind == "toml" else po.read_trips(pipe)
+    writer.join(10)
+    assert list(read) == TRIPS
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
