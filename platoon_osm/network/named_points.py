@@ -65,6 +65,15 @@ class NamedPoints:
     def __len__(self) -> int:
         return len(self.lon)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, NamedPoints):
+            return NotImplemented
+        names = [column.name.removeprefix(PREFIX) for column in columns_per("named point")]
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in names)
+
+    def __hash__(self) -> int:
+        return hash((self.lon.tobytes(), self.lat.tobytes()))
+
     def __reduce__(self) -> tuple[Any, ...]:
         # Made anew, so that the arrays come back read-only.
         return NamedPoints, tuple(

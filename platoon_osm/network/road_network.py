@@ -47,6 +47,30 @@ class RoadNetwork(NetworkArrays):
 
     __slots__ = ()
 
+    # -- telling it from others ----------------------------------------------------------------
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all that is saved of a road is the same: arrays, texts, points and source.
+
+        What a loader counted, and which file it was opened from, make no other network.
+        """
+        if self is other:
+            return True
+        if not isinstance(other, RoadNetwork):
+            return NotImplemented
+        return (
+            self.source == other.source
+            and all(
+                np.array_equal(getattr(self, column.name), getattr(other, column.name))
+                for column in columns_per("node", "edge", "offset", "shape point")
+            )
+            and self.points == other.points
+            and self.texts == other.texts
+        )
+
+    def __hash__(self) -> int:
+        return hash(self.identity())
+
     # -- looking at it -------------------------------------------------------------------------
 
     def __repr__(self) -> str:

@@ -77,7 +77,10 @@ class TextTable(Sequence[str]):
         return (self[code] for code in range(len(self)))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, TextTable) and list(self) == list(other)
+        if not isinstance(other, TextTable):
+            return NotImplemented
+        same = np.array_equal(self.blob, other.blob) and np.array_equal(self.offsets, other.offsets)
+        return same or list(self) == list(other)
 
     def __hash__(self) -> int:
         return hash(self.blob.tobytes())

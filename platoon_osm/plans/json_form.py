@@ -74,6 +74,7 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
                 **fields,
                 "network": NetworkIdentity(**own["network"]),
                 "remarks": tuple(own["remarks"]),
+                "credits": tuple(own.get("credits", ())),
                 "timetable": None if table is None else Timetable.from_dict(table),
             }
         )

@@ -68,6 +68,8 @@ class Plan:
         Of the package that made it.
     timetable : Timetable or None
         When each vehicle is where; None if no trip named a time.
+    credits : tuple of str
+        Whom to name besides the makers of the map, as for the names of towns.
 
     Raises
     ------
@@ -91,6 +93,7 @@ class Plan:
     remarks: tuple[str, ...] = ()
     version: str = ""
     timetable: Timetable | None = None
+    credits: tuple[str, ...] = ()
     plan_version: int = field(default=PLAN_VERSION, init=False)
 
     def __post_init__(self) -> None:

@@ -35,6 +35,9 @@ def test_a_copy_is_equal_and_read_only(copied):
     again = copied(net)
     assert again is not net
     same_network(again, net)
+    assert again == net
+    assert hash(again) == hash(net)
+    assert {net: 1}[again] == 1
     texts = [again.texts.offsets, again.texts.blob]
     arrays = arrays_of(again) + arrays_of(again.points) + texts
     assert len(arrays) == 26
@@ -89,6 +92,27 @@ def test_a_network_from_a_file_is_pickled_with_its_arrays(tmp_path):
     again = pickle.loads(sent)
     assert again.file is None
     same_network(again, small_italy())
+
+
+def test_what_makes_another_network():
+    net = small_italy()
+    assert net == small_italy()
+    assert net != small_italy().with_columns(toll=~net.toll)
+    assert net != replace(net, source=replace(net.source, name="another"))
+    assert net != replace(net, points=NamedPoints.empty())
+    assert net != "net"
+    assert net == net.with_report(net.load_report.extended({"a": 1}, "told"))
+    assert net.reversed()[0].reversed()[0] == net
+
+
+@settings(max_examples=60, deadline=None)
+@given(random_networks(), random_networks())
+def test_equal_networks_have_equal_hashes_and_all_arrays_alike(one, other):
+    arrays = zip(arrays_of(one), arrays_of(other), strict=True)
+    alike = all(np.array_equal(a, b) for a, b in arrays)
+    assert (one == other) == (alike and list(one.texts) == list(other.texts))
+    if one == other:
+        assert hash(one) == hash(other)
 
 
 def test_a_replaced_network_starts_with_nothing_made_of_it():

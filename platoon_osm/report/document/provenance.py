@@ -7,15 +7,13 @@ from collections.abc import Iterator, Mapping
 
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
-from ...network.towns.surroundings import GEONAMES_CREDIT
+from ...plans.credits import credits_of
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
 from ..markup.quantities import CostUnit, percent
 from .model import LabelledText, Provenance
 
-__all__ = ["OSM_CREDIT", "credits", "proof_text", "provenance"]
-
-OSM_CREDIT = "\u00a9 OpenStreetMap contributors, ODbL"
+__all__ = ["credits", "proof_text", "provenance"]
 
 METHODS = {"dijkstra": "Dijkstra", "astar": "A*", "astar-closed-once": "A*, each node once"}
 
@@ -73,18 +71,9 @@ def credits(plan: Plan, net: RoadNetwork) -> tuple[str, ...]:
     Returns
     -------
     tuple of str
-        The source's own words first; OpenStreetMap too, unless those words already name it.
+        In the source's own words; OpenStreetMap where the map is from there, and only there.
     """
-    lines: list[str] = []
-    for source in (net.source, plan.network):
-        own = ", ".join(text for text in (shown(source.attribution), shown(source.licence)) if text)
-        if own and own not in lines:
-            lines.append(fitted(own))
-    if not any("openstreetmap" in line.casefold() for line in lines):
-        lines.append(OSM_CREDIT)
-    if GEONAMES_CREDIT in plan.remarks:
-        lines.append(GEONAMES_CREDIT)
-    return tuple(lines)
+    return credits_of(plan, net.source)
 
 
 def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:

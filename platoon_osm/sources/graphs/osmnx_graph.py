@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import io
 import os
 import warnings
 from collections.abc import Hashable, Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree.ElementTree import ParseError
@@ -77,6 +79,18 @@ def network_from_osmnx(
     return _network(graph.nodes(data=True), edges, classes, rules, source)
 
 
+def _file_source(graph: Any, name: str, digest: str) -> Source:
+    """Return whose data a file holds: what the graph says of itself; else OpenStreetMap's."""
+    told = graph.graph.get("source")
+    with suppress(ValueError, SyntaxError, RecursionError, MemoryError):
+        # GraphML keeps the record of a source as text.
+        noted = ast.literal_eval(told) if isinstance(told, str) else told
+        if isinstance(noted, dict) and noted.get("attribution"):
+            credit = (str(noted.get(key, "")) for key in ("extracted", "licence", "attribution"))
+            return Source(name, digest, *credit)
+    return osm_source(name, digest)
+
+
 def read_graphml(
     path: str | os.PathLike[str], classes: Sequence[str], rules: TruckRules
 ) -> RoadNetwork:
@@ -118,7 +132,7 @@ def read_graphml(
         raise MapDataError(
             f"{file}: not a GraphML graph; save one with osmnx.io.save_graphml"
         ) from error
-    source, remarks = osm_source(file.name, digest), _remarks(noticed)
+    source, remarks = _file_source(graph, file.name, digest), _remarks(noticed)
     try:
         if is_freight_graph(graph):
             as_tagged(graph)
