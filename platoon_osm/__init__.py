@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from .network.road_network import RoadNetwork
     from .planning.cases import plan_members
     from .planning.joint import plan_joint, solve
+    from .planning.place_table import place_table
     from .planning.problem import Problem
     from .planning.scenario.trip_tables import read_trips
     from .plans.plan import JointPlan, Plan
@@ -61,6 +62,7 @@ _WHERE = {
     "Place": "network.location",
     "RoadNetwork": "network.road_network",
     "many_to_many": "search.engine",
+    "place_table": "planning.place_table",
     "plan_members": "planning.cases",
     "plan_joint": "planning.joint",
     "solve": "planning.joint",
@@ -122,6 +124,7 @@ __all__ = [
     "load_network",
     "many_to_many",
     "paper_weights",
+    "place_table",
     "plan_joint",
     "plan_members",
     "read_trips",
@@ -161,5 +164,8 @@ for _name, _where in {
     "summary": "plans.summary",
     "explore": "report.pages.page",
     "plan_table": "report.pages.notebook",
+    "network_table": "report.pages.notebook",
+    "to_frame": "plans.frames",
+    "to_geodataframe": "report.exports.gis",
 }.items():
     offer(_name, f"{__name__}.{_where}")

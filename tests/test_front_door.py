@@ -76,6 +76,11 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "many_to_many": (po.many_to_many, {
             "net": net, "weight": weights.solo, "sources": [0], "targets": [1], "engine": "auto",
         }),
+        "place_table": (po.place_table, {
+            "net": net, "origins": ["Torino"], "destinations": ["Trieste"], "measure": "km",
+        }),
+        "plan.to_frame": (plan.to_frame, {"what": "stretches"}),
+        "plan.to_geodataframe": (plan.to_geodataframe, {"net": net}),
         "load_network": (po.load_network, {
             "source": "italy-motorways", "classes": ("motorway",), "country": None,
             "limiter_kmh": 90.0, "infer_links": False,
@@ -132,8 +137,10 @@ def _defaults(made: Any) -> dict[str, Any]:
 
 
 NAMES = (
-    "Trip", "Problem", "solve", "plan_joint", "plan_members", "many_to_many", "load_network",
-    "Access", "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights", "PaperCosts",
+    "Trip", "Problem", "solve", "plan_joint", "plan_members", "many_to_many", "place_table",
+    "plan.to_frame", "plan.to_geodataframe", "load_network",
+    "Access", "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights",
+    "PaperCosts",
     "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",

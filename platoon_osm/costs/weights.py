@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ScenarioError
+from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
 from .share import Share
 
@@ -18,7 +18,7 @@ __all__ = ["EdgeWeights"]
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
 class EdgeWeights:
     """What each edge of a network costs one vehicle.
 
@@ -94,6 +94,12 @@ class EdgeWeights:
                     f"{self.platoon[edge]:g} that is planned with; platoon must be the dearer of "
                     "middle and last"
                 )
+
+    def __repr__(self) -> str:
+        return (
+            f"<EdgeWeights of {len(self.solo):,} edges in {brief(self.unit)}, for network "
+            f"{self.network or 'not told'}>"
+        )
 
     def weights(self, net: RoadNetwork, vehicle: object = None) -> EdgeWeights:
         """Return these weights, once it is sure that they are the network's.

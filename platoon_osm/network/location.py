@@ -34,7 +34,7 @@ class RoadPoint:
     distance_m: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Location:
     """A place on the network.
 
@@ -76,6 +76,14 @@ class Location:
     enters: tuple[RoadPoint, ...] = ()
     beside_road: bool = False
     from_geonames: bool = False
+
+    def __repr__(self) -> str:
+        beside = ", beside the road" if self.beside_road else ""
+        near = f"{len(self.candidates)} nodes near" if self.candidates else "no node near"
+        return (
+            f"<Location {self.name[:60]!r} at {format_position(self.lon, self.lat)}: node "
+            f"{self.node}, {near}{beside}>"
+        )
 
 
 @dataclass(frozen=True, slots=True)

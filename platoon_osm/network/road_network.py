@@ -79,6 +79,10 @@ class RoadNetwork(NetworkArrays):
             f"{self.length_m.sum() / 1000:,.0f} km>"
         )
 
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows of the network."""
+        return offered("network_table")(self)  # type: ignore[no-any-return]
+
     def report(self) -> LoadReport:
         """Return what the loader kept, dropped, capped and defaulted."""
         return self.load_report

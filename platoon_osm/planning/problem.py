@@ -23,7 +23,7 @@ __all__ = ["Optimum", "Problem"]
 Optimum = Literal["member", "system"]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Problem:
     """A question to the planner: who goes where, and what is to be least.
 
@@ -106,6 +106,12 @@ class Problem:
         if self.case == "D" and self.method != "dijkstra":
             raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
         check_one_clock(self.trips)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Problem case {self.case}: {len(self.trips):,} trips on "
+            f"{brief(self.net.source.name)}, {self.method}, {self.optimum}>"
+        )
 
     @property
     def cases(self) -> tuple[str, ...]:

@@ -17,18 +17,21 @@ from .checker import check_parts
 from .json_form import PLAN_VERSION, plan_from_dict
 from .proof import Proof
 from .records import Event, NetworkIdentity, PlannedTrip, Platoon, Stretch
+from .text_table import named
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan, vehicles_of
 
 if TYPE_CHECKING:
     import folium
+    import geopandas
+    import pandas
 
     from ..network.road_network import RoadNetwork
 
 __all__ = ["JointPlan", "Plan"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plan:
     """A plan for several vehicles: who drives which stretch with whom, and what each pays.
 
@@ -150,6 +153,43 @@ class Plan:
             One row a vehicle, then totals, points and what is proved.
         """
         return offered("summary")(self)  # type: ignore[no-any-return]
+
+    def to_frame(self, what: str = "vehicles") -> pandas.DataFrame:
+        """Return the plan as a tidy table; see `platoon_osm.plans.frames.to_frame`.
+
+        Parameters
+        ----------
+        what : {"vehicles", "stretches", "points", "timetable"}
+            What a row is.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Units stand in the names of its columns.
+        """
+        return offered("to_frame")(self, what)  # type: ignore[no-any-return]
+
+    def to_geodataframe(self, net: RoadNetwork) -> geopandas.GeoDataFrame:
+        """Return the legs of all vehicles as lines; as `platoon_osm.to_geodataframe`.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network the plan was made on.
+
+        Returns
+        -------
+        geopandas.GeoDataFrame
+            In EPSG:4326, one leg a row.
+        """
+        return offered("to_geodataframe")(self, net)
+
+    def __repr__(self) -> str:
+        """Return the plan in one line, however many vehicles there are."""
+        return (
+            f"<Plan case {self.case}: {len(self.trips):,} vehicles, {self.saving:.1%} saved, "
+            f"{self.platoon_m / 1000:,.0f} vehicle-km in platoons, on {named(self.network.name)}>"
+        )
 
     def explore(self, net: RoadNetwork, **options: Any) -> folium.Map:
         """Return the plan's map and figures for a notebook; as `platoon_osm.explore`.

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
+from ..shown_text import fitted
 from .clock import MENTIONED_S, duration
+from .credits import credits_of
 from .plan import Plan
 from .records import Line
+from .text_table import MOST_ROWS, listed, named, table_lines, width_of
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan
 
 __all__ = ["kilometre_equivalents", "summary"]
+
+RIGHT = frozenset([*range(4, 11), 13])
+"""Columns of numbers."""
 
 CASE_TITLES = {
     "A": "members merge and stay",
@@ -29,50 +37,104 @@ def summary(plan: Plan) -> str:
     Returns
     -------
     str
-        Lines of plain text.
+        Lines of plain text, however many vehicles there are not many more than a screen of them.
     """
-    header: tuple[str, ...] = (
-        "vehicle", "from", "to", "role", "alone", "joint", "saving", "platoon",
-    )  # fmt: skip
-    rows: list[tuple[str, ...]] = [_row(plan, vehicle) for vehicle in plan.vehicles]
-    total: tuple[str, ...] = (
-        "total", "", "", "", kilometre_equivalents(plan, plan.solo_cost),
-        kilometre_equivalents(plan, plan.joint_cost), f"{plan.saving:.1%}",
-        f"{plan.platoon_m / 1000:,.0f} km",
-    )  # fmt: skip
-    if (timetable := plan.timetable) is not None:
-        header += ("leaves", "arrives", "waits")
-        rows = [
-            row + _times(timetable, times)
-            for row, times in zip(rows, timetable.vehicles, strict=True)
-        ]
-        total += ("", "", duration(timetable.waiting_s))
-    table = [header, *rows, total]
-    width = [max(len(row[k]) for row in table) for k in range(len(header))]
-    right = {4, 5, 6, 7, 10}
+    return "\n".join(line for part in PARTS for line in part(plan))
 
-    def line(row: tuple[str, ...]) -> str:
-        cells = (
-            text.rjust(width[k]) if k in right else text.ljust(width[k])
-            for k, text in enumerate(row)
-        )
-        return "  ".join(cells).rstrip()
 
-    rule = "-" * len(line(tuple("x" * w for w in width)))
-    unit = "km-equivalents" if plan.unit == "m" else plan.unit
-    lines = [
-        f"Case {plan.case}: {CASE_TITLES[plan.case]}; costs in {unit}", "",
-        line(header), rule, *(line(row) for row in rows), rule, line(total), "",
+def _heading(plan: Plan) -> list[str]:
+    case = f"Case {plan.case}: {CASE_TITLES.get(plan.case, 'a plan')}"
+    if plan.unit != "m":
+        return [f"{case}; costs in {named(plan.unit)}", ""]
+    return [
+        f"{case}; costs in km-equivalents",
+        "(weighted cost: distance, time and fuel, each rescaled to km and added up)",
+        "",
+    ]
+
+
+def _table(plan: Plan) -> list[str]:
+    header = [
+        "vehicle", "from", "to", "role", "alone", "joint", "saving", "km", "litres", "hours",
+        "platoon",
     ]  # fmt: skip
-    if timetable is not None:
-        day = timetable.clock.start.date().isoformat()
-        lines.append(f"Times are of {day}, {timetable.clock.zone}.")
-    for vehicle, times in zip(plan.vehicles, plan.times, strict=True):
-        lines += _events(vehicle, timetable, times)
-    lines += [line for vehicle in plan.vehicles for line in _access(vehicle)]
-    lines.append(_proof(plan))
-    lines += [f"Note: {remark}" for remark in plan.remarks]
-    return "\n".join(lines)
+    told, rest = plan.vehicles[:MOST_ROWS], plan.vehicles[MOST_ROWS:]
+    rows = [
+        [named(one.vehicle), named(one.origin.name), named(one.destination.name), one.role,
+         *_numbers(plan, [one])]
+        for one in told
+    ]  # fmt: skip
+    if rest:
+        rows.append([f"and {len(rest):,} more", "", "", "", *_numbers(plan, rest)])
+    rows.append(["total", "", "", "", *_numbers(plan, plan.vehicles)])
+    if (timetable := plan.timetable) is not None:
+        header += ["leaves", "arrives", "waits"]
+        times = [_times(timetable, one) for one in timetable.vehicles[:MOST_ROWS]]
+        if rest:
+            waits = sum(one.waiting_s for one in timetable.vehicles[MOST_ROWS:])
+            times.append(["", "", duration(waits)])
+        times.append(["", "", duration(timetable.waiting_s)])
+        rows = [row + more for row, more in zip(rows, times, strict=True)]
+    lines = table_lines([header, *rows], RIGHT)
+    rule = "-" * max(map(width_of, lines))
+    return [lines[0], rule, *lines[1:-1], rule, lines[-1], ""]
+
+
+def _numbers(plan: Plan, vehicles: Sequence[VehiclePlan]) -> list[str]:
+    alone = sum(one.solo_cost for one in vehicles)
+    joint = sum(one.joint_cost for one in vehicles)
+    return [
+        kilometre_equivalents(plan, alone),
+        kilometre_equivalents(plan, joint),
+        f"{1 - joint / alone if alone else 0.0:.1%}",
+        f"{sum(one.length_m for one in vehicles) / 1000:,.0f}",
+        f"{sum(one.fuel_l for one in vehicles):,.0f}",
+        f"{sum(one.time_s for one in vehicles) / 3600:,.1f}",
+        f"{sum(one.platoon_m for one in vehicles) / 1000:,.0f} km",
+    ]
+
+
+def _alone(plan: Plan) -> list[str]:
+    """Say what the same journeys take alone, for the table has them as planned."""
+    alone = [one.alone for one in plan.vehicles]
+    return [
+        f"Alone all would drive {sum(leg.length_m for leg in alone) / 1000:,.0f} km with "
+        f"{sum(leg.fuel_l for leg in alone):,.0f} litres of fuel in "
+        f"{sum(leg.time_s for leg in alone) / 3600:,.1f} hours."
+    ]
+
+
+def _day(plan: Plan) -> list[str]:
+    if plan.timetable is None:
+        return []
+    clock = plan.timetable.clock
+    return [f"Times are of {clock.start.date().isoformat()}, {clock.zone}."]
+
+
+def _points(plan: Plan) -> list[str]:
+    pairs = zip(plan.vehicles, plan.times, strict=True)
+    return _first([
+        line for vehicle, times in pairs for line in _events(vehicle, plan.timetable, times)
+    ])  # fmt: skip
+
+
+def _access_legs(plan: Plan) -> list[str]:
+    return _first([line for vehicle in plan.vehicles for line in _access(vehicle)])
+
+
+def _notes(plan: Plan) -> list[str]:
+    credited = credits_of(plan)
+    return _first([f"Note: {fitted(one)}" for one in plan.remarks if one not in credited])
+
+
+def _credits(plan: Plan) -> list[str]:
+    return [f"Credits: {'; '.join(credits_of(plan))}."]
+
+
+def _first(lines: Sequence[str]) -> list[str]:
+    """Return the first of many lines, and how many more there are."""
+    more = len(lines) - MOST_ROWS
+    return [*lines[:MOST_ROWS], *([f"... and {more:,} more such lines"] if more > 0 else [])]
 
 
 def kilometre_equivalents(plan: Plan, cost: float) -> str:
@@ -93,18 +155,9 @@ def kilometre_equivalents(plan: Plan, cost: float) -> str:
     return f"{cost / 1000:,.0f}" if plan.unit == "m" else f"{cost:,.2f}"
 
 
-def _row(plan: Plan, vehicle: VehiclePlan) -> tuple[str, ...]:
-    return (
-        vehicle.vehicle, vehicle.origin.name, vehicle.destination.name, vehicle.role,
-        kilometre_equivalents(plan, vehicle.solo_cost),
-        kilometre_equivalents(plan, vehicle.joint_cost),
-        f"{vehicle.saving:.1%}", f"{vehicle.platoon_m / 1000:,.0f} km",
-    )  # fmt: skip
-
-
-def _times(timetable: Timetable, times: VehicleTimes) -> tuple[str, ...]:
+def _times(timetable: Timetable, times: VehicleTimes) -> list[str]:
     leaves, arrives = (timetable.clock.text(at) for at in (times.departure_s, times.arrival_s))
-    return leaves, arrives, duration(times.waiting_s)
+    return [leaves, arrives, duration(times.waiting_s)]
 
 
 def _events(
@@ -122,11 +175,15 @@ def _events(
             if times.waits[places[0]] >= MENTIONED_S:
                 merges += f" after waiting {duration(times.waits[places[0]])}"
         return [
-            f"{vehicle.vehicle} merges with {' and '.join(partners)} at {vehicle.merge.name} "
-            f"(its km {vehicle.merge.km:,.0f}{merges}), separates at {vehicle.separation.name} "
+            f"{named(vehicle.vehicle)} merges with {listed(partners)} at "
+            f"{named(vehicle.merge.name)} "
+            f"(its km {vehicle.merge.km:,.0f}{merges}), separates at "
+            f"{named(vehicle.separation.name)} "
             f"(its km {vehicle.separation.km:,.0f}{separates})"
         ]
-    return [f"{vehicle.vehicle} stays alone: {vehicle.reason}"] if vehicle.role == "alone" else []
+    if vehicle.role != "alone":
+        return []
+    return [f"{named(vehicle.vehicle)} stays alone: {fitted(vehicle.reason)}"]
 
 
 def _access(vehicle: VehiclePlan) -> list[str]:
@@ -135,19 +192,23 @@ def _access(vehicle: VehiclePlan) -> list[str]:
     for place, leg in enumerate(vehicle.legs):
         if leg.role == "access":
             side = "to" if place == 0 and leg.access and _starts_at(vehicle, leg.access) else "from"
-            ways.append(f"{leg.length_m / 1000:,.1f} km {side} {leg.access_at}")
+            ways.append(f"{leg.length_m / 1000:,.1f} km {side} {named(leg.access_at)}")
     if not ways:
         return []
-    return [f"{vehicle.vehicle}: access {' and '.join(ways)}, a straight line with a detour"]
+    return [f"{named(vehicle.vehicle)}: access {' and '.join(ways)}, a straight line with a detour"]
 
 
 def _starts_at(vehicle: VehiclePlan, line: Line) -> bool:
     return line[0] == (vehicle.origin.lon, vehicle.origin.lat)
 
 
-def _proof(plan: Plan) -> str:
+def _proof(plan: Plan) -> list[str]:
+    return [_proved(plan)]
+
+
+def _proved(plan: Plan) -> str:
     kind = plan.proof.get("kind")
-    conditions = "; ".join(plan.proof.get("conditions", ()))
+    conditions = fitted("; ".join(plan.proof.get("conditions", ())))
     if kind == "exact":
         return f"Proved optimal ({conditions})."
     if kind == "bound":
@@ -158,3 +219,9 @@ def _proof(plan: Plan) -> str:
         f"Found by the paper's inflated A*: {abs(excess):.2%} {side} the optimum ({conditions}); "
         f"its routes alone cost {plan.proof['solo_excess']:.2%} above the least."
     )
+
+
+PARTS: tuple[Callable[[Plan], list[str]], ...] = (
+    _heading, _table, _alone, _day, _points, _access_legs, _proof, _notes, _credits,
+)  # fmt: skip
+"""What a summary consists of, in the order in which it is read; each part gives its lines."""

@@ -26,7 +26,8 @@ def test_table_points_and_proof(road):
     plan = plan_joint(*road, TRIPS, "C", master="A")
     lines = plan.summary().splitlines()
     assert lines[0] == "Case C: merge and separate on the way; costs in km-equivalents"
-    header, rule, first, second, rule_again, total = lines[2:8]
+    assert lines[1].startswith("(weighted cost: distance, time and fuel")
+    header, rule, first, second, rule_again, total = lines[3:9]
     assert header.split() == [
         "vehicle",
         "from",
@@ -35,19 +36,24 @@ def test_table_points_and_proof(road):
         "alone",
         "joint",
         "saving",
+        "km",
+        "litres",
+        "hours",
         "platoon",
     ]
     assert set(rule) == set(rule_again) == {"-"}
     # 30 km alone cost 92.5 equivalents; 10 of them in a platoon save 9.357.
-    assert first.split()[-5:] == ["92", "83", "10.1%", "10", "km"]
-    assert second.split()[-5:] == ["92", "83", "10.1%", "10", "km"]
-    assert total.split() == ["total", "185", "166", "10.1%", "20", "km"]
+    assert first.split()[-8:] == ["92", "83", "10.1%", "30", "9", "0.4", "10", "km"]
+    assert second.split()[-8:] == ["92", "83", "10.1%", "30", "9", "0.4", "10", "km"]
+    assert total.split() == ["total", "185", "166", "10.1%", "60", "18", "0.8", "20", "km"]
+    assert "Alone all would drive 60 km with 19 litres of fuel in 0.8 hours." in lines
     where = [road[0].place_name(node) for node in (1, 2)]
     assert (
         f"B merges with A at {where[0]} (its km 10), separates at {where[1]} (its km 20)" in lines
     )
     assert lines[-2].startswith("Proved optimal (waiting at merging points is free")
-    assert lines[-1] == f"Note: {GEONAMES_CREDIT}"
+    credits = ["map: its source was not told", GEONAMES_CREDIT]
+    assert lines[-1] == f"Credits: {'; '.join(credits)}."
 
 
 def test_who_stays_alone_and_why(road):
@@ -85,10 +91,10 @@ def test_times_are_printed_where_a_plan_has_them(road):
     trips = [Trip("A", 0, 3, six), Trip("B", 4, 5, None, six - timedelta(minutes=5))]
     text = plan_joint(*road, trips, "C", master="A").summary()
     lines = text.splitlines()
-    assert lines[2].split()[-3:] == ["leaves", "arrives", "waits"]
+    assert lines[3].split()[-3:] == ["leaves", "arrives", "waits"]
     # Each 10 km take 7 min 30 s.
-    assert lines[4].split()[-4:] == ["06:00", "06:23", "0", "min"]
-    assert lines[5].split()[-4:] == ["05:55", "06:23", "5", "min"]
+    assert lines[5].split()[-4:] == ["06:00", "06:23", "0", "min"]
+    assert lines[6].split()[-4:] == ["05:55", "06:23", "5", "min"]
     assert "Times are of 2026-03-02, local time." in lines
     assert "(its km 10, 06:08 after waiting 5 min), separates" in text
     assert "(its km 20, 06:15)" in text

@@ -440,7 +440,6 @@ def test_proof_and_provenance_are_told(
     for text in (
         "at most 1.2\u202f% above the optimum", "po-valley.osm", "3f9c3f9c\u202677a1",
         "2026-01-15", "platoon_osm 0.1.0", "xi = 0.18", "Made by hand for tests, CC0",
-        "Made by hand for tests, CC0",
     ):  # fmt: skip
         assert text in panel
 

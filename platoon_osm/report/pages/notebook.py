@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from html import escape
+
+from ...network.road_network import RoadNetwork
+from ...plans.credits import UNKNOWN_SOURCE
 from ...plans.plan import Plan
 from ...shown_text import fitted
 from ..document.checks import check_is_plan
@@ -9,7 +13,38 @@ from ..document.vehicles import ROLES
 from ..markup.fragments import Piece, written
 from ..markup.quantities import cost_unit, kilometres, percent, signed
 
-__all__ = ["plan_table"]
+__all__ = ["network_table", "plan_table"]
+
+MOST_NOTES = 5
+
+
+def network_table(net: RoadNetwork) -> str:
+    """Return what a notebook shows of a network: its size and whose map it is.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        Any.
+
+    Returns
+    -------
+    str
+        HTML without script or style.
+    """
+    source = net.source
+    credit = ", ".join(fitted(text) for text in (source.attribution, source.licence) if text)
+    rows = (
+        ("Nodes", f"{net.n:,}"),
+        ("Edges", f"{net.m:,}"),
+        ("Road", f"{net.length_m.sum() / 1000:,.0f} km"),
+        ("Data of", fitted(source.extracted)),
+        ("Credits", credit or UNKNOWN_SOURCE),
+        *(("Note", fitted(remark)) for remark in net.load_report.remarks[:MOST_NOTES]),
+    )
+    cells = "".join(
+        f"<tr><th>{escape(label)}</th><td>{escape(text)}</td></tr>" for label, text in rows if text
+    )
+    return f"<table><caption>{escape(fitted(source.name))}</caption>{cells}</table>"
 
 
 def plan_table(plan: Plan) -> str:

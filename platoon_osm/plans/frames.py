@@ -1,0 +1,147 @@
+"""A plan as tidy tables of pandas: one row for each thing, units in the names of columns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import timedelta
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ScenarioError, brief
+from .plan import Plan
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["FRAMES", "to_frame"]
+
+Row = dict[str, Any]
+
+
+def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
+    """Return a plan as a table.
+
+    Parameters
+    ----------
+    plan : Plan
+        Any.
+    what : {"vehicles", "stretches", "points", "timetable"}
+        One row for each vehicle; for each vehicle on each stretch of one company; for each start,
+        merge, separation and destination; or for each vehicle on each stretch, with its times.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns end in their unit: `_km`, `_h`, `_l`, `_min`, `_deg`, and for costs that of the
+        plan, `_m_eq` for metre-equivalents.
+
+    Raises
+    ------
+    ScenarioError
+        Another table, or the timetable of a plan without times.
+    """
+    import pandas as pd
+
+    if not isinstance(what, str) or what not in FRAMES:
+        raise ScenarioError(f"frame {brief(what)} is unknown; use one of {', '.join(FRAMES)}")
+    if what == "timetable" and plan.timetable is None:
+        raise ScenarioError("frame: the plan has no times; give a trip earliest_departure, say")
+    return pd.DataFrame(list(FRAMES[what](plan)))
+
+
+def _cost(plan: Plan) -> str:
+    return "m_eq" if plan.unit == "m" else plan.unit
+
+
+def _vehicles(plan: Plan) -> Iterator[Row]:
+    unit = _cost(plan)
+    for one in plan.vehicles:
+        yield {
+            "vehicle": one.vehicle,
+            "role": one.role,
+            "origin": one.origin.name,
+            "destination": one.destination.name,
+            "length_km": one.length_m / 1000,
+            "alone_length_km": one.alone.length_m / 1000,
+            "platoon_km": one.platoon_m / 1000,
+            "driving_h": one.time_s / 3600,
+            "alone_driving_h": one.alone.time_s / 3600,
+            "fuel_l": one.fuel_l,
+            "alone_fuel_l": one.alone.fuel_l,
+            f"cost_{unit}": one.joint_cost,
+            f"alone_cost_{unit}": one.solo_cost,
+            "saving_share": one.saving,
+            "inferred_km": one.inferred_m / 1000,
+            "reason": one.reason,
+        }
+
+
+def _stretches(plan: Plan) -> Iterator[Row]:
+    unit = _cost(plan)
+    for index, (one, way) in enumerate(zip(plan.vehicles, plan.ways, strict=True)):
+        begin = 0.0
+        for number, (leg, stretch) in enumerate(zip(one.legs, way, strict=True), 1):
+            company = plan.stretches[stretch].vehicles
+            yield {
+                "vehicle": one.vehicle,
+                "leg": number,
+                "stretch": stretch,
+                "role": leg.role,
+                "position": company.index(index) + 1,
+                "company_size": len(company),
+                "begins_km": begin / 1000,
+                "length_km": leg.length_m / 1000,
+                "driving_h": leg.time_s / 3600,
+                "fuel_l": leg.fuel_l,
+                f"cost_{unit}": leg.cost,
+                f"alone_cost_{unit}": leg.alone_cost,
+                "inferred_km": leg.inferred_m / 1000,
+            }
+            begin += leg.length_m
+
+
+def _points(plan: Plan) -> Iterator[Row]:
+    for one in plan.vehicles:
+        for kind, point, km in (
+            ("start", one.origin, 0.0),
+            ("merge", one.merge, one.merge and one.merge.km),
+            ("separation", one.separation, one.separation and one.separation.km),
+            ("destination", one.destination, one.length_m / 1000),
+        ):
+            if point is not None:
+                yield {
+                    "vehicle": one.vehicle,
+                    "kind": kind,
+                    "name": point.name,
+                    "at_km": km,
+                    "lon_deg": point.lon,
+                    "lat_deg": point.lat,
+                    "node": point.node,
+                }
+
+
+def _timetable(plan: Plan) -> Iterator[Row]:
+    assert plan.timetable is not None
+    # Seconds count from a moment with a fixed offset, so sums of them never pass a clock change.
+    start = plan.timetable.clock.start
+    for one, times, way in zip(plan.vehicles, plan.timetable.vehicles, plan.ways, strict=True):
+        spans = zip(one.legs, times.legs, times.waits, way, strict=True)
+        for number, (leg, (begin, end), wait, stretch) in enumerate(spans, 1):
+            yield {
+                "vehicle": one.vehicle,
+                "leg": number,
+                "stretch": stretch,
+                "role": leg.role,
+                "wait_before_min": wait / 60,
+                "start": start + timedelta(seconds=begin),
+                "end": start + timedelta(seconds=end),
+                "late_min": times.late_s / 60 if number == len(way) else 0.0,
+            }
+
+
+FRAMES = {
+    "vehicles": _vehicles,
+    "stretches": _stretches,
+    "points": _points,
+    "timetable": _timetable,
+}
+"""What a plan can be shown as, by name."""
