@@ -15,13 +15,14 @@ import numpy as np
 
 from ..errors import NetworkError
 from .access import STANDARD_ACCESS, Access
+from .coordinate_text import printed_position
 from .exit_numbers import has_exit_word
 from .exit_places import exit_places, exits_of_that_number, place_of
 from .location import Location, Role
 from .naming import towns_around
 from .nearest_road import MOST_CANDIDATES, located_at
 from .place_index import NamedPlace, PlaceIndex, join_towns
-from .printed_names import nodes_printed_as, printed_position
+from .printed_names import nodes_printed_as
 from .road_network import RoadNetwork
 from .spelling import bracket_apart, fold
 from .towns.surroundings import GEONAMES, Town

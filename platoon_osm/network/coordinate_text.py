@@ -8,8 +8,9 @@ from __future__ import annotations
 import re
 
 from ..errors import NetworkError, brief
+from .spelling import plain
 
-__all__ = ["coordinates_in"]
+__all__ = ["coordinates_in", "printed_position"]
 
 LONGEST = 80
 """Characters of a coordinate at most; longer texts are names."""
@@ -32,6 +33,10 @@ HEMISPHERES = re.compile(
 )
 
 
+POSITION = re.compile(r"(?<![\w.])(\d{1,2}\.\d{3}) ([ns]) (\d{1,3}\.\d{3}) ([ew])\)?$")
+"""What `format_position` prints, in small letters."""
+
+
 def coordinates_in(text: str) -> tuple[float, float] | None:
     """Read a text as a longitude and a latitude.
 
@@ -51,21 +56,41 @@ def coordinates_in(text: str) -> tuple[float, float] | None:
         It is meant as a coordinate and may be read in two ways, or has hemispheres.
     """
     # Typographers' minus, and a blank that does not break.
-    plain = " ".join(text.replace("\u2212", "-").translate(BRACKETS).split())
-    if len(plain) > LONGEST:
+    own = " ".join(text.replace("\u2212", "-").translate(BRACKETS).split())
+    if len(own) > LONGEST:
         return None
-    if AMBIGUOUS.fullmatch(plain):
+    if AMBIGUOUS.fullmatch(own):
         raise NetworkError(
             f"place {brief(text)}: may be one number or two; write longitude and latitude with a "
             "decimal point, as 10.22, 45.54"
         )
     for pair in PAIRS:
-        if found := pair.fullmatch(plain):
+        if found := pair.fullmatch(own):
             lon, lat = (float(part.replace(",", ".")) for part in found.groups())
             return lon, lat
-    if HEMISPHERES.search(plain):
+    if HEMISPHERES.search(own) and printed_position(own) is None:
         raise NetworkError(
             f"place {brief(text)}: write longitude and latitude in degrees, as 10.22, 45.54; west "
             "and south are negative"
         )
     return None
+
+
+def printed_position(text: str) -> tuple[float, float] | None:
+    """Return the coordinates at the end of a name, as `format_position` prints them.
+
+    Parameters
+    ----------
+    text : str
+        Such as "A 4 near Torino (45.070 N 7.690 E)".
+
+    Returns
+    -------
+    (float, float) or None
+        Longitude and latitude [deg]; None if there are none.
+    """
+    found = POSITION.search(plain(text))
+    if found is None:
+        return None
+    lat = float(found[1]) * (1 if found[2] == "n" else -1)
+    return float(found[3]) * (1 if found[4] == "e" else -1), lat

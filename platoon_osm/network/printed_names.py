@@ -8,6 +8,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
+from .coordinate_text import printed_position
 from .geodesy import distance_m
 from .naming import towns_around
 from .place_index import clusters
@@ -15,9 +16,7 @@ from .road_network import RoadNetwork
 from .spelling import fold, plain
 from .towns.surroundings import FARTHEST_TOWN_M
 
-__all__ = ["nodes_printed_as", "printed_position"]
-
-POSITION = re.compile(r"(?<![\w.])(\d{1,2}\.\d{3}) ([ns]) (\d{1,3}\.\d{3}) ([ew])\)?$")
+__all__ = ["nodes_printed_as"]
 
 ROUNDING_DEG = 0.0006
 """A little more than half of the last digit of a printed position."""
@@ -49,26 +48,6 @@ def nodes_printed_as(net: RoadNetwork, text: str) -> list[list[int]]:
         if plain(net.place_name(node)) == own
     ]
     return clusters(net, nodes)
-
-
-def printed_position(text: str) -> tuple[float, float] | None:
-    """Return the coordinates at the end of a name, as `format_position` prints them.
-
-    Parameters
-    ----------
-    text : str
-        Such as "A 4 near Torino (45.070 N 7.690 E)".
-
-    Returns
-    -------
-    (float, float) or None
-        Longitude and latitude [deg]; None if there are none.
-    """
-    found = POSITION.search(plain(text))
-    if found is None:
-        return None
-    lat = float(found[1]) * (1 if found[2] == "n" else -1)
-    return float(found[3]) * (1 if found[4] == "e" else -1), lat
 
 
 def _blank(net: RoadNetwork) -> NDArray[np.bool_]:
