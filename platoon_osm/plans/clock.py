@@ -1,14 +1,26 @@
-"""The clock of a plan: seconds from its start, and the times of day that people read."""
+"""The clock of a plan: seconds from its start, and the times of day that people read.
+
+Where clocks change on the way, every time is read in the offset from UTC that holds then; time
+spans are differences of seconds, and know nothing of it. An hour that is read twice in autumn is
+told apart by its offset. A plan keeps the offsets themselves beside the name of its zone, so it can
+be shown anywhere, also where no table of zones is at hand.
+"""
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone
 
 from ..errors import ScenarioError, brief
+from ..kinds import is_number
 
-__all__ = ["MENTIONED_S", "Clock", "duration", "late_by", "whole_minutes"]
+__all__ = ["MENTIONED_S", "Clock", "Offsets", "duration", "late_by", "whole_minutes"]
+
+Offsets = tuple[tuple[float, float], ...]
+
+DAY_S = 86_400
 
 MENTIONED_S = 30.0
 """A wait shorter than this is 0 min everywhere, and not worth telling."""
@@ -22,18 +34,47 @@ class Clock:
     ----------
     start : datetime
         When the seconds begin, with a fixed offset from UTC or without any zone.
+    name : str
+        Of the zone, such as "Europe/Rome"; empty if it has none.
+    offsets : tuple of (float, float)
+        From when on [s] clocks go by which offset from UTC [s], in order, the first also before;
+        empty if that of the start holds throughout.
+
+    Raises
+    ------
+    ScenarioError
+        Offsets that cannot be, or another one at the start than the start's own.
     """
 
     start: datetime
+    name: str = ""
+    offsets: Offsets = ()
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str):
+            raise ScenarioError(f"plan: zone {brief(self.name)} is no name; plan again")
+        numbers = [value for pair in self.offsets for value in pair]
+        fits = all(is_number(value) and math.isfinite(value) for value in numbers)
+        moments = [at for at, _ in self.offsets]
+        if not (fits and moments == sorted(set(moments))):
+            raise ScenarioError("plan: offsets are not moments in order with numbers; plan again")
+        if any(abs(offset) >= DAY_S for _, offset in self.offsets):
+            raise ScenarioError("plan: an offset from UTC is a day or more; plan again")
+        if self.offsets and self._offset(0.0) != self._own_offset:
+            raise ScenarioError("plan: offsets do not fit the start of its times; plan again")
 
     @classmethod
-    def from_text(cls, start: str) -> Clock:
+    def from_text(cls, start: str, name: str = "", offsets: Offsets = ()) -> Clock:
         """Return the clock that starts at an ISO 8601 moment.
 
         Parameters
         ----------
         start : str
             In ISO 8601.
+        name : str
+            Of the zone.
+        offsets : tuple of (float, float)
+            As above.
 
         Returns
         -------
@@ -46,18 +87,18 @@ class Clock:
             Not such a moment.
         """
         try:
-            return cls(datetime.fromisoformat(start))
+            moment = datetime.fromisoformat(start)
         except (TypeError, ValueError):
             raise ScenarioError(
                 f"plan: start {brief(start)} is no ISO 8601 moment; plan again"
             ) from None
+        return cls(moment, name, offsets)
 
     @classmethod
     def at(cls, moment: datetime) -> Clock:
         """Return the clock that starts at a moment.
 
-        Its offset from UTC stays that of the moment: no hour is lost or read twice where clocks
-        change on the way.
+        Its offset from UTC stays that of the moment; `zones.clock_of` knows when clocks change.
 
         Parameters
         ----------
@@ -101,17 +142,56 @@ class Clock:
         Returns
         -------
         datetime
-            In the zone of the start.
+            With the offset from UTC that holds then, if the start has one.
         """
-        return self.start + timedelta(seconds=seconds)
+        moment = self.start + timedelta(seconds=seconds)
+        if not self.offsets:
+            return moment
+        return moment.astimezone(timezone(timedelta(seconds=self._offset(seconds))))
 
     @property
     def zone(self) -> str:
-        """The zone of all times, "local time" if none was named."""
-        offset = self.start.utcoffset()
-        if offset is None:
+        """The zone of all times and its offset, when it changes; "local time" if none was named."""
+        if self.start.utcoffset() is None:
             return "local time"
-        return "UTC" if not offset else f"UTC{self.start.isoformat()[-6:]}"
+        spells = [_utc(self._own_offset)]
+        if self.offsets:
+            spells = [_utc(self.offsets[0][1])]
+            for (_, before), (at, after) in itertools.pairwise(self.offsets):
+                minutes = whole_minutes(self.since_midnight_s + at + before - self._own_offset)
+                spells[-1] += f" until {_of_day(minutes)}"
+                spells.append(_utc(after))
+        text = ", then ".join(spells)
+        return text if self.name in ("", text) else f"{self.name} ({text})"
+
+    @property
+    def _own_offset(self) -> float:
+        offset = self.start.utcoffset()
+        return 0.0 if offset is None else offset.total_seconds()
+
+    def _offset(self, seconds: float) -> float:
+        """Return the offset from UTC that holds at a moment [s]."""
+        if not self.offsets:
+            return self._own_offset
+        held = [offset for at, offset in self.offsets if at <= seconds]
+        return held[-1] if held else self.offsets[0][1]
+
+    def spells(self, begin_s: float, end_s: float) -> list[tuple[float, float, float]]:
+        """Return the parts of a span in which clocks do not change.
+
+        Parameters
+        ----------
+        begin_s, end_s : float
+            The span.
+
+        Returns
+        -------
+        list of tuple of float
+            Begin and end of each part, and by how much clocks are then ahead of the start's [s].
+        """
+        changes = [at for at, _ in self.offsets[1:] if begin_s < at < end_s]
+        cuts = [begin_s, *changes, end_s]
+        return [(a, b, self._offset(a) - self._own_offset) for a, b in itertools.pairwise(cuts)]
 
     @property
     def since_midnight_s(self) -> float:
@@ -120,7 +200,7 @@ class Clock:
         return (self.start - midnight).total_seconds()
 
     def text(self, seconds: float) -> str:
-        """Return the time to the minute: "08:21", "00:10 +1 d" a day later.
+        """Return the time to the minute: "08:21", "00:10 +1 d" a day later, "02:30 UTC+1".
 
         Parameters
         ----------
@@ -130,11 +210,18 @@ class Clock:
         Returns
         -------
         str
-            Hours and minutes, with the number of days if it is another day.
+            Hours and minutes, with the number of days if it is another day, and with the offset if
+            clocks show this time twice.
         """
         minutes = whole_minutes(self.since_midnight_s + seconds)
-        days, minute = divmod(minutes, 24 * 60)
-        return f"{minute // 60:02d}:{minute % 60:02d}" + (f" {days:+d} d" if days else "")
+        at = minutes * 60 - self.since_midnight_s
+        offset = self._offset(at)
+        shown = _of_day(minutes + round((offset - self._own_offset) / 60))
+        twice = any(
+            other != offset and self._offset(at + offset - other) == other
+            for _, other in self.offsets
+        )
+        return f"{shown} {_short(offset)}" if twice else shown
 
     def iso(self, seconds: float) -> str:
         """Return the moment to the second in ISO 8601.
@@ -150,6 +237,26 @@ class Clock:
             With the offset from UTC if the start has one.
         """
         return self.moment(round(seconds)).isoformat(timespec="seconds")
+
+
+def _of_day(minutes: int) -> str:
+    """Return minutes since midnight as a time of day."""
+    days, minute = divmod(minutes, 24 * 60)
+    return f"{minute // 60:02d}:{minute % 60:02d}" + (f" {days:+d} d" if days else "")
+
+
+def _utc(offset_s: float) -> str:
+    """Return "UTC+01:00" for 3600, "UTC" for 0."""
+    minutes = round(abs(offset_s) / 60)
+    sign = "-" if offset_s < 0 else "+"
+    return f"UTC{sign}{minutes // 60:02d}:{minutes % 60:02d}" if offset_s else "UTC"
+
+
+def _short(offset_s: float) -> str:
+    """Return "UTC+1" for 3600, "UTC+5:30" for 19800."""
+    hours, minutes = divmod(round(abs(offset_s) / 60), 60)
+    sign = "-" if offset_s < 0 else "+"
+    return f"UTC{sign}{hours}" + (f":{minutes:02d}" if minutes else "")
 
 
 def whole_minutes(seconds: float) -> int:

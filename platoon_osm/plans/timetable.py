@@ -9,7 +9,7 @@ from typing import Any
 
 from ..errors import ScenarioError
 from ..kinds import is_number
-from .clock import Clock
+from .clock import Clock, Offsets
 
 __all__ = ["LATE_S", "Timetable", "VehicleTimes"]
 
@@ -61,6 +61,13 @@ class VehicleTimes:
         return self.legs[-1][1]
 
     @property
+    def moments(self) -> tuple[float, ...]:
+        """All moments that are shown of it: driven, and asked for [s]."""
+        asked = (self.earliest_departure_s, self.latest_departure_s, self.latest_arrival_s)
+        driven = (self.departure_s, *(at for span in self.legs for at in span))
+        return (*driven, *(at for at in asked if at is not None))
+
+    @property
     def waits(self) -> tuple[float, ...]:
         """How long it waits on the road before each leg [s]."""
         ends = (self.departure_s, *(end for _, end in self.legs[:-1]))
@@ -99,14 +106,20 @@ class Timetable:
         Whether all arrive in time.
     vehicles : tuple of VehicleTimes
         In the order of the plan's.
+    zone : str
+        Name of the zone in which times are shown, such as "Europe/Rome"; empty if it has none.
+    offsets : tuple of (float, float)
+        From when on [s] clocks go by which offset from UTC [s], if they change; see `Clock`.
     """
 
     start: str
     feasible: bool
     vehicles: tuple[VehicleTimes, ...]
+    zone: str = ""
+    offsets: Offsets = ()
 
     def __post_init__(self) -> None:
-        clock = Clock.from_text(self.start)
+        clock = self.clock
         try:
             for times in self.vehicles:
                 clock.moment(times.departure_s - 60)
@@ -119,7 +132,7 @@ class Timetable:
     @property
     def clock(self) -> Clock:
         """What turns seconds into times of day."""
-        return Clock.from_text(self.start)
+        return Clock.from_text(self.start, self.zone, self.offsets)
 
     @property
     def waiting_s(self) -> float:
@@ -149,7 +162,8 @@ class Timetable:
             VehicleTimes(**{**item, "legs": tuple((start, end) for start, end in item["legs"])})
             for item in data["vehicles"]
         )
-        return cls(**{**data, "vehicles": tuple(vehicles)})
+        offsets = tuple((at, offset) for at, offset in data.get("offsets", ()))
+        return cls(**{**data, "vehicles": tuple(vehicles), "offsets": offsets})
 
 
 def _is_moment(value: Any) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import NetworkError, ScenarioError, brief
 from ..network.location import PlaceLike, plain_place
+from .zones import in_order
 
 __all__ = ["TIMES", "Trip", "check_one_clock"]
 
@@ -91,7 +92,14 @@ class Trip:
         for name in TIMES[1:]:
             last = self.times.get(name)
             # Who leaves at the last moment may do so at the first; who arrives has driven.
-            if first and last and (last < first or (name == TIMES[2] and last == first)):
+            if (
+                first
+                and last
+                and (
+                    in_order(last) < in_order(first)
+                    or (name == TIMES[2] and in_order(last) == in_order(first))
+                )
+            ):
                 raise ScenarioError(
                     f"{where}: {name} {last.isoformat()} is not after earliest_departure "
                     f"{first.isoformat()}; give a later {name}"

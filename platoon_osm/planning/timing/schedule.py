@@ -37,6 +37,7 @@ from ...plans.clock import Clock, late_by
 from ...plans.plan import Plan
 from ...plans.timetable import Timetable, VehicleTimes
 from ...plans.trip import TIMES, Trip, check_one_clock
+from ...plans.zones import clock_of, in_order
 from .flexibility import with_latest_arrivals
 from .pieces import Pieces, pieces_of
 
@@ -118,7 +119,8 @@ def schedule(plan: Plan, trips: Sequence[Trip]) -> Timetable | None:
     for vehicle in plan.vehicles:
         if vehicle.vehicle not in known:
             raise ScenarioError(f"schedule: vehicle {vehicle.vehicle!r} has no trip; give it one")
-    clock = Clock.at(min(named))
+    first = min(named, key=in_order)
+    clock = Clock.at(first)
     asked = with_latest_arrivals(
         [known[trip.vehicle] for trip in plan.trips], [trip.alone.time_s for trip in plan.trips]
     )
@@ -140,7 +142,9 @@ def schedule(plan: Plan, trips: Sequence[Trip]) -> Timetable | None:
         for vehicle, window, way in zip(plan.vehicles, windows, pieces.ways, strict=True)
     )  # fmt: skip
     in_time = not any(times.late_s for times in vehicles)
-    return Timetable(clock.moment(shift).isoformat(), in_time, vehicles)
+    # By the clocks of the zone that is named first, as far as times are shown.
+    shown = clock_of(first, shift, (at for times in vehicles for at in times.moments))
+    return Timetable(shown.start.isoformat(), in_time, vehicles, shown.name, shown.offsets)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,19 +2,33 @@
 // oxlint-disable-next-line no-unused-vars -- journey.js uses it.
 const dayByClock = (plan) => {
 
-const { begin_s: begin, end_s: end, since_midnight_s: midnight } = plan.schedule;
+const { begin_s: begin, end_s: end, since_midnight_s: midnight, offsets } = plan.schedule;
 const DAY_MIN = 24 * 60;
-
-function text(seconds) {
-  const minutes = Math.round((midnight + seconds) / 60);
-  const days = Math.floor(minutes / DAY_MIN);
-  const minute = minutes - days * DAY_MIN;
-  const two = (number) => String(number).padStart(2, "0");
-  return `${two(Math.floor(minute / 60))}:${two(minute % 60)}${days ? ` ${days > 0 ? "+" : ""}${days} d` : ""}`;
-}
 
 /* Times of the document are rounded to a tenth of a second. */
 const NEAR = 0.06;
+
+/* The offset from UTC that holds at a moment; 0 where clocks do not change, for then none is needed. */
+const offset = (at) => (offsets.filter(([from]) => from <= at + NEAR).pop() ?? offsets[0] ?? [0, 0])[1];
+
+/* As a short name, for an hour that clocks show twice. */
+function named(found) {
+  const minutes = Math.round(Math.abs(found) / 60);
+  const rest = minutes % 60;
+  return `UTC${found < 0 ? "-" : "+"}${Math.floor(minutes / 60)}${rest ? `:${String(rest).padStart(2, "0")}` : ""}`;
+}
+
+function text(seconds) {
+  const shown = Math.round((midnight + seconds) / 60);
+  const at = shown * 60 - midnight;
+  const here = offset(at);
+  const twice = offsets.some(([, other]) => other !== here && offset(at + here - other) === other);
+  const minutes = shown + Math.round((here - offset(0)) / 60);
+  const days = Math.floor(minutes / DAY_MIN);
+  const minute = minutes - days * DAY_MIN;
+  const two = (number) => String(number).padStart(2, "0");
+  return `${two(Math.floor(minute / 60))}:${two(minute % 60)}${days ? ` ${days > 0 ? "+" : ""}${days} d` : ""}${twice ? ` ${named(here)}` : ""}`;
+}
 
 /* The piece a vehicle is on, as its number in the way, the share of it that is driven, and what the
  * vehicle does. Who waits stands where its next piece begins. */

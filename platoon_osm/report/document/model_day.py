@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ...plans.clock import Clock
+from ...plans.clock import Clock, Offsets
 
 __all__ = [
     "DaySchedule",
@@ -64,6 +64,9 @@ class DaySchedule:
         Of all times.
     since_midnight_s : float
         From midnight to `start`.
+    offsets : tuple of (float, float)
+        From when on [s] clocks go by which offset from UTC [s], the first also before; empty if
+        clocks do not change.
     begin_s, end_s : float
         First departure and last arrival.
     waiting_s : float
@@ -77,6 +80,7 @@ class DaySchedule:
     start: str
     zone: str
     since_midnight_s: float
+    offsets: Offsets
     begin_s: float
     end_s: float
     waiting_s: float
@@ -86,7 +90,7 @@ class DaySchedule:
     @property
     def clock(self) -> Clock:
         """What turns seconds into times of day."""
-        return Clock.from_text(self.start)
+        return Clock.from_text(self.start, offsets=self.offsets)
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,6 +37,7 @@ def timeline(plan: Plan) -> DaySchedule | None:
         start=table.start,
         zone=clock.zone,
         since_midnight_s=round(clock.since_midnight_s, 1),
+        offsets=clock.offsets,
         begin_s=round(begin, 1),
         end_s=round(end, 1),
         waiting_s=round(table.waiting_s, 1),

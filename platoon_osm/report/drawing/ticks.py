@@ -65,8 +65,12 @@ def hour_ticks(clock: Clock, begin_s: float, end_s: float) -> list[tuple[float, 
     """
     hours = (end_s - begin_s) / 3600
     step = next((h for h in STEPS_H if hours / h <= MOST_HOURS), math.ceil(hours / 168) * 24) * 3600
-    midnight = clock.since_midnight_s
-    first = math.ceil((midnight + begin_s) / step - 1e-9)
-    last = math.floor((midnight + end_s) / step + 1e-9)
-    moments = [k * step - midnight for k in range(first, last + 1)]
+    moments: list[float] = []
+    for begin, end, ahead in clock.spells(begin_s, end_s):
+        midnight = clock.since_midnight_s + ahead
+        first = math.ceil((midnight + begin) / step - 1e-9)
+        last = math.floor((midnight + end) / step + 1e-9)
+        # When clocks change, the hour belongs to what begins then.
+        found = (k * step - midnight for k in range(first, last + 1))
+        moments += [at for at in found if at < end or end == end_s]
     return [(moment, clock.text(moment)) for moment in moments]
