@@ -32,16 +32,19 @@ def with_place_remarks(plan: Plan, net: RoadNetwork, places: Iterable[Sequence[L
     Returns
     -------
     Plan
-        With further remarks; the same if there is nothing to say.
+        With further remarks and credits.
     """
     ends = [end for trip in places for end in trip]
     notes = list(dict.fromkeys(end.note for end in ends if end.note))
     remarks = notes[:MOST_NOTES]
     if len(notes) > MOST_NOTES:
         remarks.append(f"{len(notes) - MOST_NOTES} more names of places were taken for others")
-    if any(end.from_geonames for end in ends) or _named_by_geonames(plan, net):
-        remarks.append(GEONAMES_CREDIT)
-    return replace(plan, remarks=(*plan.remarks, *remarks)) if remarks else plan
+    credited = any(end.from_geonames for end in ends) or _named_by_geonames(plan, net)
+    return replace(
+        plan,
+        remarks=(*plan.remarks, *remarks),
+        credits=(*plan.credits, GEONAMES_CREDIT) if credited else plan.credits,
+    )
 
 
 def _named_by_geonames(plan: Plan, net: RoadNetwork) -> bool:

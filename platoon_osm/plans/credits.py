@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from ..network.load_report import Source
-from ..network.towns.surroundings import GEONAMES_CREDIT
 from ..shown_text import fitted, shown
 from .plan import Plan
 from .records import NetworkIdentity
@@ -39,6 +38,4 @@ def credits_of(plan: Plan, source: Source | None = None) -> tuple[str, ...]:
         for one in sources
     ]
     own = [fitted(line) for line in lines if line] or [UNKNOWN_SOURCE]
-    # Planners note it among what a reader should know; it is a credit all the same.
-    towns = [GEONAMES_CREDIT] if GEONAMES_CREDIT in plan.remarks else []
-    return tuple(dict.fromkeys([*own, *(fitted(line) for line in plan.credits), *towns]))
+    return tuple(dict.fromkeys([*own, *(fitted(line) for line in plan.credits)]))

@@ -21,7 +21,6 @@ from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import PlatoonError, ScenarioError
 from platoon_osm.network.geodesy import metres_per_degree
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.network.towns.surroundings import GEONAMES_CREDIT
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.trip import Trip
@@ -349,7 +348,7 @@ def test_a_depot_beside_the_road_drives_to_a_junction():
     assert (a.origin.node, a.origin.edge) == (-1, None)
     assert (a.origin.lon, a.origin.lat) == at(95_000, -3_000)
     assert a.length_m == a.alone.length_m == way.length_m + road.length_m
-    assert plan.remarks == (GEONAMES_CREDIT,)
+    assert plan.remarks == ()
 
 
 def test_far_from_every_junction_one_gets_onto_the_road_between_them():
@@ -370,7 +369,7 @@ def test_other_roads_are_entered_anywhere():
     way, road = plan.vehicles[0].legs
     assert way.length_m == pytest.approx(390, rel=1e-3)
     assert road.span[0] == pytest.approx(0.65, abs=1e-6)
-    assert plan.remarks == (GEONAMES_CREDIT,)
+    assert plan.remarks == ()
 
 
 def test_beyond_the_limit_it_is_refused_with_the_distance():
