@@ -15,6 +15,7 @@ from ..errors import ScenarioError, brief
 from .one_run import run_once
 from .parts import load_part, part_path, save_part
 from .settings import Study
+from .workers import stopped
 
 __all__ = ["StudyResult", "run_study"]
 
@@ -220,6 +221,8 @@ def _run_chunk(
     factors = study.factors()
     results = []
     for run, seed in runs:
+        if stopped():
+            break
         arrays = run_once(study, factors, seed)
         if parts is not None:
             save_part(part_path(parts, key, run), arrays)

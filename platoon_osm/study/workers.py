@@ -5,17 +5,16 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
-import sys
 import threading
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor
 from contextlib import contextmanager
-from types import FrameType
+from multiprocessing.synchronize import Event
 
-__all__ = ["workers"]
+__all__ = ["stopped", "workers"]
 
-PATIENCE_S = 5.0
-"""How long an interrupted worker may take to tidy up [s]."""
+_stop: Event | None = None
+"""In a worker: set when it is to end."""
 
 
 @contextmanager
@@ -38,20 +37,21 @@ def workers(count: int | None) -> Iterator[Executor | None]:
         return
     # Fresh processes: a forked one would inherit the progress bar's thread half alive.
     context = multiprocessing.get_context("spawn")
-    others = set(multiprocessing.active_children())
-    pool = ProcessPoolExecutor(count, mp_context=context, initializer=_leave_interrupts_to_parent)
+    stop = context.Event()
+    pool = ProcessPoolExecutor(count, mp_context=context, initializer=_begin, initargs=(stop,))
     try:
         _start(pool, count)
         yield pool
     except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
-        ours = set(multiprocessing.active_children()) - others
-        for child in ours:
-            child.terminate()
-        for child in ours:
-            child.join(PATIENCE_S)
+        stop.set()  # each finishes the run it is at, and keeps it
+        pool.shutdown(cancel_futures=True)
         raise
     pool.shutdown()
+
+
+def stopped() -> bool:
+    """Whether this process is a worker that is asked to end."""
+    return _stop is not None and _stop.is_set()
 
 
 def _start(pool: Executor, count: int) -> None:
@@ -66,12 +66,10 @@ def _start(pool: Executor, count: int) -> None:
         signal.signal(signal.SIGINT, before)
 
 
-def _leave_interrupts_to_parent() -> None:
-    # Ctrl-C reaches all processes of a terminal; the one that started them says what is kept.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, _end)
-
-
-def _end(number: int, frame: FrameType | None) -> None:
-    del number, frame
-    sys.exit(1)  # by way of all `finally`, so that no draft is left
+def _begin(stop: Event) -> None:
+    # Ctrl-C reaches all processes of a terminal, and schedulers end whole groups of them; the one
+    # that started them says when to end, and what is kept.
+    global _stop
+    _stop = stop
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
