@@ -10,24 +10,27 @@ from dataclasses import replace
 
 import platoon_osm as po
 from platoon_osm.costs.placed_weights import placed_weights
+from platoon_osm.planning.answers import improved, of_star
+from platoon_osm.planning.best import best_answer
+from platoon_osm.planning.company.platoons import platoons_of
 from platoon_osm.planning.ends import located, resolve_trips
-from platoon_osm.planning.master import longest_route
+from platoon_osm.planning.place_remarks import with_place_remarks
 from platoon_osm.planning.places import placed
 from platoon_osm.planning.problem import Problem
-from platoon_osm.planning.routers import DijkstraRouter
+from platoon_osm.planning.question import Question
+from platoon_osm.planning.reasons import reasons_alone
 from platoon_osm.planning.star import Star
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.planning.writing import written_plan
-from platoon_osm.plans.proof import Proof
-from platoon_osm.plans.records import Platoon
 from platoon_osm.search.trees import Trees
 
 
 def plan_from_parts(problem):
-    """Return the best plan of cases A, B and C of a problem."""
+    """Return the best plan of a problem, and what each master would cost."""
     # 1. Where the trips start and end. For a place between two junctions, or beside the road, the
     #    network is cut and gets a node there.
-    places = placed(problem.net, located(problem.net, problem.trips))
+    locations = located(problem.net, problem.trips)
+    places = placed(problem.net, locations)
     net = places.net
     problem = replace(problem, net=net)
 
@@ -42,36 +45,38 @@ def plan_from_parts(problem):
     # 4. From places to nodes: of all carriageways and ramps near a place the pair that suits.
     ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
 
-    # 5. Routes alone, and the master: the longest of them.
-    router = DijkstraRouter(trees)
-    routes = [router.route(one.origin, one.destination) for one in ends]
-    master = longest_route([net.length_m[route].sum() for route in routes])
+    # 5. Routes alone, what it costs to join each of them, and how far company may move anybody.
+    question = Question(problem, weights, tuple(ends), trees)
 
-    # 6. Where members merge with the master and separate from it. The cases share all tables.
-    star = Star(net, weights, ends, master, router)
-    choices = [star.choose(case, problem.optimum) for case in ("A", "B", "C")]
-    best = choices[0]
-    for choice in choices[1:]:
-        if choice.cost < best.cost * (1 - 1e-9):
-            best = choice
+    # 6. Every vehicle as master: where members merge and separate, then whoever drives side by side
+    #    elsewhere, then each in turn around the others.
+    for master in range(len(ends)):
+        star = Star(
+            net, weights, ends, master, question.router, question.alone, question.join_costs
+        )
+        choices = [star.choose(case, problem.optimum) for case in ("A", "B", "C")]
+        answer = of_star(question, star, sorted(choices, key=lambda choice: choice.cost))
+        if answer is not None:
+            after = improved(question, answer, fixed=False)
+            name = ends[master].vehicle
+            print(f"{name} as master: {answer.cost / 1e3:,.0f}, improved {after.cost / 1e3:,.0f}")
 
-    # 7. Write it down: who drives what with whom becomes stretches and ways, each with its shares.
-    joined = [star.members[k] for k in (best.points.merge_index >= 0).nonzero()[0]]
-    alone = set(range(len(ends))) - {master, *joined}
-    name = ends[master].vehicle
-    reasons = [
-        f"driving alone costs less than any way with {name}" if k in alone else ""
-        for k in range(len(ends))
-    ]
-    conditions = ("waiting at merging points is free", "the master keeps its own route")
+    # 7. The cheapest of them, and what is proved about it; `best_answer` does step 6 by itself.
+    best = best_answer(question)
+    answer = best.answer
+
+    # 8. Write it down: who drives what with whom becomes stretches and ways, each with its shares.
+    runs = answer.draft.runs()
     plan = written_plan(
-        problem, weights, ends, star.alone, star.routes(best.points),
-        [Platoon(tuple(sorted([master, *joined])), master, best.case)], reasons, best.case,
-        Proof.of(best.cost, best.bound, conditions),
+        problem, weights, ends, question.alone, runs,
+        platoons_of(runs, answer.master, answer.case), reasons_alone(question, answer),
+        answer.case, best.proof,
     )  # fmt: skip
+    plan = replace(plan, masters=best.masters, remarks=(*best.remarks, *plan.remarks))
+    plan = with_place_remarks(plan, net, locations)
 
-    # 8. When everyone drives, if a trip names a time.
-    return with_times(plan, problem.trips), engine, trees
+    # 9. When everyone drives, if a trip names a time.
+    return with_times(plan, problem.trips, problem.patience_min * 60), engine, trees
 
 
 def main(page=None):

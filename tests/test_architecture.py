@@ -22,7 +22,7 @@ WALLS = {
     "sources": ("graphs", "osm", "overpass"),
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
-    "planning": ("timing", "scenario"),
+    "planning": ("timing", "company", "scenario"),
     "report": ("markup", "drawing", "document", "maps", "charts", "exports", "pages"),
     "cli": ("verbs",),
 }  # fmt: skip

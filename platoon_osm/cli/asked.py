@@ -23,7 +23,9 @@ WHAT = "What to plan (before the scenario's)"
 WHERE = "On which network (before the scenario's)"
 
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
-OPTION_KEYS = ("case", "master", "objective", "method")
+OPTION_KEYS = (
+    "case", "master", "objective", "method", "company", "max_platoon", "patience_min",
+)  # fmt: skip
 
 
 def asked_options(verb: Run) -> Run:
@@ -43,9 +45,15 @@ def asked_options(verb: Run) -> Run:
         _option(WHAT, "--trips", type=FILE, help="Table of trips: .csv, .xlsx or .gpkg."),
         _option(WHAT, "--sheet", help="Sheet or layer of that table; else the first."),
         _option(WHAT, "--case", help="A, B, C, D or best."),
-        _option(WHAT, "--master", help="Vehicle that keeps its route."),
+        _option(WHAT, "--master", help="Vehicle that keeps its route, or longest; else the best."),
         _option(WHAT, "--objective", help="Whose cost is least: member or system."),
         _option(WHAT, "--method", help="dijkstra (exact) or astar (the paper's)."),
+        _option(WHAT, "--company", help="Platoons anywhere, or with the master alone."),
+        _option(WHAT, "--max-platoon", type=int, help="Vehicles of the largest platoon."),
+        _option(
+            WHAT, "--patience-min", type=float,
+            help="Minutes by which company may move who names no window.",
+        ),
         _option(WHAT, "--preset", help="Costs by name; those there are stand below."),
         _option(
             WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
@@ -67,7 +75,7 @@ def asked_options(verb: Run) -> Run:
 
 def _option(section: str, *names: str, **more: Any) -> Callable[[Run], Run]:
     if "type" in more and "metavar" not in more:
-        more["metavar"] = {FILE: "FILE", float: "NUMBER"}.get(more["type"], "TEXT")
+        more["metavar"] = {FILE: "FILE", float: "NUMBER", int: "NUMBER"}.get(more["type"], "TEXT")
     return click.option(*names, cls=SectionOption, section=section, **more)
 
 

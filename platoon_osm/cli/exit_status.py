@@ -1,20 +1,31 @@
-"""How a command ends: with 0, or with 2 and one line that says what is wrong."""
+"""How a command ends: with 0; with 1 if there is no plan as asked; with 2 if the input is wrong.
+
+Whatever went wrong is said in one line. There is no plan as asked where a trip has no route, or
+must be late even alone; in the latter case what was planned is written all the same.
+"""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
 
 import click
 
-from ..errors import PlatoonError
+from ..errors import NoRouteError, PlatoonError
 from ..interrupts import ended_by_signals
 from ..leftovers import remove_all
 
-__all__ = ["NAME", "status_of", "tell"]
+if TYPE_CHECKING:
+    from ..plans.plan import Plan
+
+__all__ = ["NAME", "UNMET", "end_if_late", "status_of", "tell"]
 
 NAME = "platoon-osm"
+
+UNMET = 1
+"""Status where the question is right, and what it asks for cannot be."""
 
 
 def status_of(run: Callable[[], None]) -> int:
@@ -28,7 +39,8 @@ def status_of(run: Callable[[], None]) -> int:
     Returns
     -------
     int
-        0, or 2 when the input is wrong or somebody interrupted it.
+        0; 1 when a trip has no route or must be late; 2 when the input is wrong or somebody
+        interrupted it.
     """
     try:
         with ended_by_signals():
@@ -40,6 +52,9 @@ def status_of(run: Callable[[], None]) -> int:
         return _refuse(_usage(error), error.ctx.command_path if error.ctx else NAME)
     except click.ClickException as error:
         return _refuse(error.format_message())
+    except NoRouteError as error:
+        tell(str(error))
+        return UNMET
     except PlatoonError as error:
         return _refuse(str(error))
     except BrokenPipeError:
@@ -53,6 +68,32 @@ def status_of(run: Callable[[], None]) -> int:
     finally:
         remove_all()
     return 0
+
+
+def end_if_late(plans: Iterable[Plan]) -> None:
+    """Say who is late and end with `UNMET`, once all that was asked for is written.
+
+    Parameters
+    ----------
+    plans : iterable of Plan
+        What was planned.
+
+    Raises
+    ------
+    Exit
+        Somebody must be late.
+    """
+    late = [
+        remark
+        for plan in plans
+        if plan.timetable is not None and not plan.timetable.feasible
+        for remark in plan.remarks
+        if remark.startswith("not feasible in time")
+    ]
+    for remark in dict.fromkeys(late):
+        tell(remark)
+    if late:
+        raise click.exceptions.Exit(UNMET)
 
 
 def tell(message: str, who: str = NAME) -> None:

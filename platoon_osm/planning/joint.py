@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from ..costs.objective import Objective
@@ -12,36 +12,34 @@ from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive
 from ..errors import ScenarioError, brief
 from ..network.access import STANDARD_ACCESS, Access
-from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.proof import Proof
-from ..plans.records import Platoon
-from ..plans.stretches import Run, runs_alone, runs_along
+from ..plans.records import MasterTried
+from ..plans.stretches import Run
 from ..plans.trip import Trip
 from ..search.protocol import EngineName
 from ..search.searches import Searches
 from ..search.trees import Trees
-from .ends import TripEnds, located, resolve_trips
-from .master import longest_route
-from .pair import PairPlan, plan_pair
+from .answers import Answer
+from .best import NO_CHEAPER, best_answer
+from .company.draft import Draft
+from .company.platoons import platoons_of
+from .ends import located, resolve_trips
+from .master import longest_first
+from .masters import fixed_master, star_cases
 from .place_remarks import with_place_remarks
 from .places import placed
-from .problem import Optimum, Problem, check_choice
-from .routers import AstarRouter, DijkstraRouter, Method
+from .problem import Company, Optimum, Problem, check_choice
+from .question import Question
+from .reasons import reasons_alone
+from .routers import AstarRouter, Method
 from .star import Star, StarChoice
+from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
 from .writing import written_plan
 
 __all__ = ["plan_joint", "solve"]
-
-WAITING_FREE = "waiting at merging points is free"
-ALIKE = "vehicles are alike"
-ROUTE_FIXED = "the master keeps its own route"
-ONE_STRETCH = "one shared stretch for each member"
-
-NO_CHEAPER = 1e-9
-"""A case is better only if it costs less by this share; else the simpler one is taken."""
 
 ESTIMATED_KMH = 80.0
 """Cruising speed by which A* estimates times where the costs name none."""
@@ -58,6 +56,9 @@ def plan_joint(
     master: str | None = None,
     engine: EngineName = "auto",
     access: Access = STANDARD_ACCESS,
+    company: Company = "anywhere",
+    max_platoon: int | None = None,
+    patience_min: float = PATIENCE_MIN,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
 
@@ -79,11 +80,21 @@ def plan_joint(
         "dijkstra" is exact; "astar" is the paper's inflated A*, and the plan then reports its
         excess over the optimum; "astar-closed-once" is the same with each node explored once.
     master : str, optional
-        Name of the vehicle that keeps its route; by default that of the longest route.
+        Name of the vehicle that keeps its route, or "longest" for that of the longest route, as the
+        paper has it. By default every vehicle is tried, and the plan that is cheapest for all is
+        taken; under "astar" it is the longest.
     engine : {"auto", "reference", "hierarchy"}
         Which engine searches, "auto" the one that is likely faster; routes do not depend on it.
     access : Access
         How places beside the road get onto it, and how far from it they may be.
+    company : {"anywhere", "master"}
+        Where vehicles that drive side by side are a platoon: "anywhere", and then vehicles plan
+        again in turns around each other; or with the master alone, as in the paper.
+    max_platoon : int, optional
+        Vehicles of the largest platoon allowed, 2 or more; by default any.
+    patience_min : float
+        By how many minutes company may move a vehicle that names no window. One with a window may
+        be moved within it, and nobody who is in time alone is late for company.
 
     Returns
     -------
@@ -110,7 +121,8 @@ def plan_joint(
     return solve(
         Problem(
             net=net, trips=given, objective=costs, case=case, master=master, method=method,
-            optimum=objective, engine=engine, access=access,
+            optimum=objective, engine=engine, access=access, company=company,
+            max_platoon=max_platoon, patience_min=patience_min,
         )
     )  # fmt: skip
 
@@ -146,145 +158,80 @@ def solve(problem: Problem) -> Plan:
     expected = sum(min(len(end.nodes) for end in ends) + 2 for ends in places.ends)
     trees = Trees(net.attached(Searches).under(weights.solo, expected, problem.engine))
     ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
-    case = _Cases(problem, weights, tuple(ends), trees)
-    plan = with_place_remarks(case.best(), net, locations)
-    return _with_rules(with_times(plan, problem.trips), problem)
+    question = Question(problem, weights, tuple(ends), trees)
+    exact = problem.method == "dijkstra"
+    plan = _answered(question) if exact else _by_astar(question)
+    plan = with_place_remarks(plan, net, locations)
+    patience_s = problem.patience_min * 60.0 if exact else None
+    return _with_rules(with_times(plan, problem.trips, patience_s), problem)
 
 
-@dataclass(frozen=True, slots=True)
-class _Decision:
-    """A case that was planned, not yet written down."""
-
-    case: str
-    cost: float
-    choice: StarChoice | PairPlan
-
-
-class _Cases:
-    """The cases of one problem; they share routes, searches and tables."""
-
-    def __init__(
-        self, problem: Problem, weights: EdgeWeights, ends: tuple[TripEnds, ...], trees: Trees
-    ) -> None:
-        self.problem, self.weights, self.ends, self.trees = problem, weights, ends, trees
-        net = problem.net
-        exact = DijkstraRouter(trees)
-        alone = [exact.route(item.origin, item.destination) for item in ends]
-        names = [item.vehicle for item in ends]
-        self.master = (
-            longest_route([float(net.length_m[route].sum()) for route in alone])
-            if problem.master is None
-            else names.index(problem.master)
-        )
-        self.exact = Star(net, weights, ends, self.master, exact)
-        self.star = self.exact
-        if problem.method != "dijkstra":
-            own = ends[self.master]
-            speed = float(weights.params.get("speed_kmh", ESTIMATED_KMH)) / 3.6
-            cost = trees.tree(own.origin).dist[own.destination]
-            router = AstarRouter(net, weights.solo, float(cost), speed, problem.method)
-            self.star = Star(net, weights, ends, self.master, router)
-
-    def best(self) -> Plan:
-        """Return the plan of the cheapest case; of equally good ones the first."""
-        first, *others = (self._decide(case) for case in self.problem.cases)
-        best = first
-        for other in others:
-            if other.cost < best.cost * (1 - NO_CHEAPER):
-                best = other
-        if isinstance(best.choice, PairPlan):
-            return self._written_pair(best.choice)
-        return self._written_star(best.choice)
-
-    def _decide(self, case: str) -> _Decision:
-        if case == "D":
-            first, second = self.ends[self.master], self.ends[1 - self.master]
-            pair = plan_pair(
-                self.problem.net,
-                self.weights,
-                (first.origin, second.origin),
-                (first.destination, second.destination),
-                trees=self.trees,
-            )
-            return _Decision(case, pair.cost, pair)
-        choice = self.star.choose(case, self.problem.optimum)
-        return _Decision(case, choice.cost, choice)
-
-    def _conditions(self, *own: str) -> tuple[str, ...]:
-        free = self.problem.objective.waiting(3600.0) == 0
-        return (*((WAITING_FREE,) if free else ()), *own)
-
-    def _written_star(self, choice: StarChoice) -> Plan:
-        star, case = self.star, choice.case
-        reasons = [""] * len(self.ends)
-        master = self.ends[self.master].vehicle
-        group = [self.master]
-        for k, index in enumerate(star.members):
-            if choice.points.merge_index[k] >= 0:
-                group.append(index)
-            else:
-                reasons[index] = _why_alone(case, bool(choice.points.applicable[k]), master)
-        return written_plan(
-            self.problem,
-            self.weights,
-            self.ends,
-            star.alone,
-            star.routes(choice.points),
-            [Platoon(tuple(sorted(group)), self.master, case)],
-            reasons,
-            case,
-            self._proof_of(choice),
-        )
-
-    def _proof_of(self, choice: StarChoice) -> Proof:
-        if self.problem.method == "dijkstra":
-            return Proof.of(choice.cost, choice.bound, self._conditions(ROUTE_FIXED))
-        compared = self.exact.choose(choice.case, self.problem.optimum)
-        alone = self.exact.solo_cost
-        return Proof(
-            "heuristic",
-            choice.cost,
-            None,
-            (
-                "the inflated heuristic is not admissible",
-                "the optimum is that of the same case along Dijkstra's route of the master",
-            ),
-            # The plan may cost less: A* gives the master a longer route, for others to share.
-            optimum=compared.cost,
-            solo_excess=self.star.solo_cost / alone - 1 if alone else 0.0,
-        )
-
-    def _written_pair(self, pair: PairPlan) -> Plan:
-        order = (self.master, 1 - self.master)
-        # A way beside the road is nobody's company, though it costs no more side by side.
-        ways = access_of(self.problem.net, pair.shared)
-        together = not ways.all()
-        routes: list[list[Run]] = [[], []]
-        for k, index in enumerate(order):
-            routes[index] = [
-                *runs_alone(pair.before[k], index),
-                *runs_along(pair.shared, [order] * len(pair.shared)),
-                *runs_alone(pair.after[k], index),
-            ]
-        names = [item.vehicle for item in self.ends]
-        return written_plan(
-            self.problem,
-            self.weights,
-            self.ends,
-            self.exact.alone,
-            routes,
-            [Platoon((0, 1), None, "D")] if together else [],
-            ["" if together else _why_alone("D", True, names[1 - index]) for index in (0, 1)],
-            "D",
-            Proof.of(pair.cost, pair.cost, self._conditions(ALIKE, ONE_STRETCH)),
-        )
+def _answered(question: Question) -> Plan:
+    """Return the plan of the best answer, without times."""
+    best = best_answer(question)
+    answer = best.answer
+    return _written(
+        question, answer.draft.runs(), answer.case, answer.master, best.proof,
+        reasons_alone(question, answer), masters=best.masters, remarks=best.remarks,
+    )  # fmt: skip
 
 
-def _why_alone(case: str, applicable: bool, master: str) -> str:
-    if applicable:
-        return f"driving alone costs less than any way with {master}"
-    end = "destination" if case == "A" else "origin"
-    return f"case {case} does not apply: its {end} is not on the route of {master}"
+def _written(
+    question: Question,
+    runs: list[list[Run]],
+    case: str,
+    master: int | None,
+    proof: Proof,
+    reasons: Sequence[str],
+    masters: tuple[MasterTried, ...] = (),
+    remarks: tuple[str, ...] = (),
+) -> Plan:
+    plan = written_plan(
+        question.problem, question.weights, question.ends, question.alone, runs,
+        platoons_of(runs, master, case), reasons, case, proof,
+    )  # fmt: skip
+    return replace(plan, masters=masters, remarks=(*remarks, *plan.remarks))
+
+
+def _by_astar(question: Question) -> Plan:
+    """Return the plan of the paper's A*, beside the exact one of the same case and master."""
+    problem, weights, ends = question.problem, question.weights, question.ends
+    fixed = fixed_master(question)
+    master = longest_first(question.lengths_m)[0] if fixed is None else fixed
+    exact = Star(question.net, weights, ends, master, question.router, question.alone)
+    speed = float(weights.params.get("speed_kmh", ESTIMATED_KMH)) / 3.6
+    cost = float(question.solo[master])
+    router = AstarRouter(question.net, weights.solo, cost, speed, problem.method)
+    star = Star(question.net, weights, ends, master, router)
+    choice = _cheapest([star.choose(case, problem.optimum) for case in star_cases(question)])
+    compared = exact.choose(choice.case, problem.optimum)
+    proof = Proof(
+        "heuristic",
+        choice.cost,
+        None,
+        (
+            "the inflated heuristic is not admissible",
+            "the optimum is that of the same case along Dijkstra's route of the master",
+        ),
+        # The plan may cost less: A* gives the master a longer route, for others to share.
+        optimum=compared.cost,
+        solo_excess=star.solo_cost / exact.solo_cost - 1 if exact.solo_cost else 0.0,
+    )
+    runs = star.routes(choice.points)
+    answer = Answer(Draft.of(runs), Draft.of(runs).costs(weights), choice.case, master, None)
+    question.alone = star.alone
+    return _written(
+        question, runs, choice.case, master, proof, reasons_alone(question, answer, choice.points)
+    )
+
+
+def _cheapest(choices: list[StarChoice]) -> StarChoice:
+    """Return the cheapest choice; of equally good ones the first, which is the simplest."""
+    best = choices[0]
+    for choice in choices[1:]:
+        if choice.cost < best.cost * (1 - NO_CHEAPER):
+            best = choice
+    return best
 
 
 def _with_rules(plan: Plan, problem: Problem) -> Plan:

@@ -44,4 +44,5 @@ def proved_by_position(
     if least == 1 or proof.bound is None:
         return proof
     cost = sum(share.cost for stretch in stretches for share in stretch.shares)
-    return Proof.of(cost, proof.bound * least, (*proof.conditions, ANY_PLACES))
+    any_plan = None if proof.any_plan is None else proof.any_plan * least
+    return Proof.of(cost, proof.bound * least, (*proof.conditions, ANY_PLACES), any_plan)

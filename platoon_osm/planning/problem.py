@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
@@ -10,17 +11,21 @@ from ..costs.objective import Objective, check_objective
 from ..costs.weights import EdgeWeights
 from ..driving.rules import NO_RULES, DrivingRules
 from ..errors import ScenarioError, brief
-from ..kinds import kind_of
+from ..kinds import is_number, is_whole, kind_of
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.road_network import RoadNetwork
+from ..plans.text_table import listed
 from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
 from .cases import CASES
+from .master import LONGEST
 from .routers import Method
+from .timing.limits import PATIENCE_MIN
 
-__all__ = ["Optimum", "Problem"]
+__all__ = ["Company", "Optimum", "Problem"]
 
 Optimum = Literal["member", "system"]
+Company = Literal["anywhere", "master"]
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -41,7 +46,9 @@ class Problem:
         "A" members merge and stay, "B" start together and separate, "C" both, "D" two vehicles
         whose routes are both free, "best" the cheapest of those that apply.
     master : str or None
-        Name of the vehicle that keeps its route; by default that of the longest route.
+        Name of the vehicle that keeps its route, or "longest" for that of the longest route, which
+        is the paper's rule. By default every vehicle is tried and the plan that is cheapest for
+        all is taken; under A* it is the longest.
     method : {"dijkstra", "astar", "astar-closed-once"}
         "dijkstra" is exact; "astar" is the paper's inflated A*, "astar-closed-once" the same with
         each node explored once.
@@ -51,6 +58,14 @@ class Problem:
         Which engine searches; routes do not depend on it.
     access : Access
         How places beside the road get onto it.
+    company : {"anywhere", "master"}
+        Where vehicles that drive side by side are a platoon: "anywhere", and then vehicles plan
+        again in turns around each other; or with the master alone, as in the paper.
+    max_platoon : int or None
+        Vehicles of the largest platoon allowed, 2 or more; None for any.
+    patience_min : float
+        By how many minutes company may move a vehicle that names no window; one with a window may
+        be moved within it. Nobody who is in time alone is late for company.
 
     Raises
     ------
@@ -68,6 +83,9 @@ class Problem:
     optimum: Optimum = "member"
     engine: EngineName = "auto"
     access: Access = STANDARD_ACCESS
+    company: Company = "anywhere"
+    max_platoon: int | None = None
+    patience_min: float = PATIENCE_MIN
 
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
@@ -82,6 +100,7 @@ class Problem:
             ("optimum", self.optimum, get_args(Optimum)),
             ("method", self.method, get_args(Method)),
             ("engine", self.engine, get_args(EngineName)),
+            ("company", self.company, get_args(Company)),
         ):
             check_choice(label, value, allowed)
         if not callable(getattr(self.rules, "violations", None)):
@@ -91,9 +110,21 @@ class Problem:
         if not isinstance(self.access, Access):
             raise ScenarioError(f"plan: access is a {kind_of(self.access)}; give an Access")
         names = [trip.vehicle for trip in self.trips]
-        if self.master is not None and not (isinstance(self.master, str) and self.master in names):
+        known = (*names, LONGEST)
+        if self.master is not None and not (isinstance(self.master, str) and self.master in known):
             raise ScenarioError(
-                f"master {brief(self.master)} has no trip; vehicles are {', '.join(names)}"
+                f"master {brief(self.master)} has no trip; vehicles are {listed(names)}; or use "
+                f"{LONGEST!r}"
+            )
+        if self.max_platoon is not None and not (
+            is_whole(self.max_platoon) and self.max_platoon > 1
+        ):
+            raise ScenarioError(
+                f"max_platoon is {brief(self.max_platoon)}; give a whole number, 2 or more, or None"
+            )
+        if not (is_number(self.patience_min) and 0 <= self.patience_min < math.inf):
+            raise ScenarioError(
+                f"patience_min is {brief(self.patience_min)}; give minutes, 0 or more"
             )
         for name in names:
             if (times := names.count(name)) > 1:

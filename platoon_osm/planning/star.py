@@ -15,8 +15,9 @@ from ..errors import ScenarioError
 from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.stretches import Run, runs_alone, runs_along
-from .cases import Floats, MemberPlans, choose_points, route_nodes
+from .cases import Floats, MemberPlans, choose_points, running_sum
 from .ends import TripEnds
+from .join_costs import JoinCosts, road_of
 from .problem import Optimum
 from .routers import Router
 from .system import choose_for_system
@@ -63,6 +64,10 @@ class Star:
         The vehicle that keeps its route.
     router : Router
         How vehicles get to the route and from it.
+    alone : sequence of ndarray of int, (N,), optional
+        The route of each vehicle alone, if it is known.
+    costs : JoinCosts, optional
+        What joining costs, if it is shared with other masters.
 
     Attributes
     ----------
@@ -81,10 +86,16 @@ class Star:
         ends: Sequence[TripEnds],
         master: int,
         router: Router,
+        alone: Sequence[Edges] | None = None,
+        costs: JoinCosts | None = None,
     ) -> None:
         self.net, self.weights, self.ends, self.master = net, weights, ends, master
         self.router = router
-        self.alone = [router.route(item.origin, item.destination) for item in ends]
+        known = alone or [router.route(item.origin, item.destination) for item in ends]
+        self.alone = list(known)
+        self._shared = costs or JoinCosts(
+            net, ends, [road_of(net, own) for own in self.alone], router
+        )
         # A way beside the road is nobody's company: members join on the road, and leave there.
         whole = self.alone[master]
         ways = access_of(net, whole)
@@ -101,21 +112,31 @@ class Star:
         return sum(float(self.weights.solo[route].sum()) for route in self.alone)
 
     @cached_property
-    def _costs(self) -> tuple[Floats, Floats, Floats]:
+    def costs(self) -> tuple[Floats, Floats, Floats]:
         """Costs to join (M, K + 1), to leave (M, K + 1) and alone (M,) of the members."""
-        nodes = route_nodes(self.net, self.route)
-        entry = self.router.table(self._origins, nodes)
-        leave = self.router.table(nodes, self._destinations).T
-        return entry, leave, self._solo
+        return self._shared.of(self.master, self.members)
 
-    @property
-    def _solo(self) -> Floats:
-        """Costs alone (M,) of the members."""
-        pairs = zip(self._origins, self._destinations, strict=True)
-        solo = [float(self.router.table(np.array([o]), np.array([d]))[0, 0]) for o, d in pairs]
-        return np.array(solo, np.float64)
+    @cached_property
+    def nodes(self) -> Edges:
+        """Nodes of the master's route, (K + 1,)."""
+        return self._shared.nodes[self.master]
 
-    def choose(self, case: Any, optimum: Optimum) -> StarChoice:
+    @cached_property
+    def bound(self) -> float:
+        """No case, and no choice of points, costs less in all; quicker than choosing them."""
+        entry, leave, solo = self.costs
+        alone = float(self.weights.solo[self.alone[self.master]].sum())
+        if not self.members or not len(self.route):
+            return alone + float(solo.sum())
+        platoon = running_sum(self.weights.platoon[self.route])
+        lead = np.minimum.accumulate(entry - platoon, axis=1)
+        least = (lead[:, :-1] + platoon[1:] + leave[:, 1:]).min(axis=1)
+        gain = np.maximum(self.weights.solo - self.weights.master, 0.0)[self.route]
+        return float(np.minimum(least, solo).sum()) + alone - float(gain.sum())
+
+    def choose(
+        self, case: Any, optimum: Optimum, costs: tuple[Floats, Floats, Floats] | None = None
+    ) -> StarChoice:
         """Choose the members' points.
 
         Parameters
@@ -124,6 +145,8 @@ class Star:
             Which points are free.
         optimum : {"member", "system"}
             Whose cost is least.
+        costs : tuple of ndarray of float, optional
+            In place of `costs`, with inf where a member cannot join or leave in time.
 
         Returns
         -------
@@ -136,11 +159,12 @@ class Star:
             The system's optimum is asked for, and company costs the master more than driving alone.
         """
         everyone = np.arange(len(self.members))
+        known = costs or self.costs
         gain = (self.weights.solo - self.weights.master)[self.route]
         alone = float(self.weights.solo[self.alone[self.master]].sum())
         if optimum == "member" or not self.members:
-            points = self._points(case, None, everyone)
-            met = _company(points, len(self.route))
+            points = self._points(case, None, everyone, known)
+            met = _covered(points, len(self.route)).any(axis=0)
             cost = float(points.cost.sum()) + alone - float(gain[met].sum())
             return StarChoice(case, points, cost, cost)
         if (gain < 0).any():
@@ -149,20 +173,66 @@ class Star:
                 "in company than alone; plan with objective 'member'"
             )
         found = choose_for_system(
-            lambda gains, rows: self._points(case, gains, rows), gain, len(self.members)
+            lambda gains, rows: self._points(case, gains, rows, known), gain, len(self.members)
         )
         return StarChoice(case, found.members, found.cost + alone, found.bound + alone)
 
-    def _points(self, case: Any, gain: Floats | None, rows: Edges) -> MemberPlans:
+    def _points(
+        self, case: Any, gain: Floats | None, rows: Edges, costs: tuple[Floats, Floats, Floats]
+    ) -> MemberPlans:
+        entry, leave, solo = costs
         if not len(self.route):
-            return _apart(self._solo[rows])
-        entry, leave, solo = self._costs
+            return _apart(solo[rows])
         some = [self.ends[self.members[k]] for k in rows]
         return choose_points(
             self.net, self.weights, self.route, self._origins[rows], self._destinations[rows],
             case, (entry[rows], leave[rows], solo[rows]),
             [item.origins for item in some], [item.destinations for item in some], gain,
         )  # fmt: skip
+
+    def within(
+        self,
+        points: MemberPlans,
+        case: Any,
+        most: int,
+        costs: tuple[Floats, Floats, Floats] | None = None,
+    ) -> MemberPlans:
+        """Return points with which no platoon is larger than allowed.
+
+        The members that gain most come first; each of the others takes its best stretch where
+        there is room left, which is not the best for all.
+
+        Parameters
+        ----------
+        points : MemberPlans
+            The members' points.
+        case : {"A", "B", "C"}
+            Which points are free.
+        most : int
+            Vehicles of the largest platoon, the master among them.
+        costs : tuple of ndarray of float, optional
+            As in `choose`.
+
+        Returns
+        -------
+        MemberPlans
+            The given ones if they fit already.
+        """
+        there = _covered(points, len(self.route))
+        if int(there.sum(axis=0).max(initial=0)) < most:
+            return points
+        users = np.zeros(len(self.route), np.int64)
+        columns = {name: getattr(points, name).copy() for name in MemberPlans.__slots__}
+        forbidding = -2.0 * float(self.weights.solo.sum() + points.solo_cost.sum())
+        for member in np.argsort(points.cost - points.solo_cost, kind="stable").tolist():
+            if there[member].any() and (users[there[member]] >= most - 1).any():
+                room = np.where(users >= most - 1, forbidding, 0.0)
+                turn = self._points(case, room[None, :], np.array([member]), costs or self.costs)
+                for name, column in columns.items():
+                    column[member] = getattr(turn, name)[0]
+                there[member] = _covered(turn, len(self.route))[0]
+            users += there[member]
+        return MemberPlans(**columns)
 
     def routes(self, points: MemberPlans) -> list[list[Run]]:
         """Return who drives what with whom.
@@ -190,11 +260,10 @@ class Star:
             *runs_along(self.route, companies),
             *runs_alone(self._after, self.master),
         ]
-        nodes = self.net.path_nodes(self.route)
         for index, i, j in joined:
             own = self.ends[index]
-            before = self.router.route(own.origin, int(nodes[i]))
-            after = self.router.route(int(nodes[j]), own.destination)
+            before = self.router.route(own.origin, int(self.nodes[i]))
+            after = self.router.route(int(self.nodes[j]), own.destination)
             routes[index] = [
                 *runs_alone(before, index),
                 *runs_along(self.route[i:j], companies[i:j]),
@@ -211,10 +280,7 @@ def _apart(solo: Floats) -> MemberPlans:
     )  # fmt: skip
 
 
-def _company(points: MemberPlans, edges: int) -> NDArray[np.bool_]:
-    """Mark the edges of the route (K,) on which the master has company."""
-    change = np.zeros(edges + 1, np.int64)
-    joined = points.merge_index >= 0
-    np.add.at(change, points.merge_index[joined], 1)
-    np.add.at(change, points.separation_index[joined], -1)
-    return np.cumsum(change[:-1]) > 0
+def _covered(points: MemberPlans, edges: int) -> NDArray[np.bool_]:
+    """Mark the edges of the route (M, K) that each member drives with the master."""
+    at = np.arange(edges)
+    return (at >= points.merge_index[:, None]) & (at < points.separation_index[:, None])

@@ -18,6 +18,7 @@ from .records import (
     WHOLE,
     Event,
     Line,
+    MasterTried,
     NetworkIdentity,
     PlannedTrip,
     Platoon,
@@ -92,6 +93,7 @@ def _fields(data: Mapping[str, Any]) -> dict[str, Any]:
             Platoon(**{**item, "vehicles": tuple(item["vehicles"])}) for item in data["platoons"]
         ),
         "events": tuple(_event(item) for item in data["events"]),
+        "masters": tuple(MasterTried(**item) for item in data.get("masters", ())),
         "proof": Proof(**{**data["proof"], "conditions": tuple(data["proof"]["conditions"])}),
     }
 

@@ -16,7 +16,7 @@ from ..offers import offered
 from .checker import check_parts
 from .json_form import PLAN_VERSION, plan_from_dict
 from .proof import Proof
-from .records import Event, NetworkIdentity, PlannedTrip, Platoon, Stretch
+from .records import Event, MasterTried, NetworkIdentity, PlannedTrip, Platoon, Stretch
 from .text_table import named
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan, vehicles_of
@@ -73,6 +73,9 @@ class Plan:
         When each vehicle is where; None if no trip named a time.
     credits : tuple of str
         Whom to name besides the makers of the map, as for the names of towns.
+    masters : tuple of MasterTried
+        What the plan would cost with each master that was tried, the cheapest first; one if the
+        master was given.
 
     Raises
     ------
@@ -97,6 +100,7 @@ class Plan:
     version: str = ""
     timetable: Timetable | None = None
     credits: tuple[str, ...] = ()
+    masters: tuple[MasterTried, ...] = ()
     plan_version: int = field(default=PLAN_VERSION, init=False)
 
     def __post_init__(self) -> None:

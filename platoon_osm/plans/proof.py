@@ -37,6 +37,9 @@ class Proof(Mapping[str, Any]):
         Least cost of the method that is compared with, for a heuristic.
     solo_excess : float or None
         By what share the heuristic's routes alone cost more than the least.
+    any_plan : float or None
+        No plan for these trips costs less, whatever its routes, master and companies; None if
+        nobody worked it out.
     """
 
     kind: str
@@ -45,6 +48,7 @@ class Proof(Mapping[str, Any]):
     conditions: tuple[str, ...] = ()
     optimum: float | None = None
     solo_excess: float | None = None
+    any_plan: float | None = None
 
     def __post_init__(self) -> None:
         if self.kind not in KINDS:
@@ -67,7 +71,13 @@ class Proof(Mapping[str, Any]):
         return self.cost / self.optimum - 1 if self.optimum else 0.0
 
     @classmethod
-    def of(cls, cost: float, bound: float, conditions: tuple[str, ...]) -> Proof:
+    def of(
+        cls,
+        cost: float,
+        bound: float,
+        conditions: tuple[str, ...],
+        any_plan: float | None = None,
+    ) -> Proof:
         """Return the proof that a lower bound gives.
 
         Parameters
@@ -78,6 +88,8 @@ class Proof(Mapping[str, Any]):
             What no plan can undercut.
         conditions : tuple of str
             For which plans.
+        any_plan : float, optional
+            What no plan at all can undercut.
 
         Returns
         -------
@@ -85,7 +97,13 @@ class Proof(Mapping[str, Any]):
             "exact" if the bound is reached, else "bound".
         """
         reached = not cost or (cost - bound) / cost <= NOTHING_LEFT
-        return cls("exact" if reached else "bound", cost, cost if reached else bound, conditions)
+        return cls(
+            "exact" if reached else "bound",
+            cost,
+            cost if reached else bound,
+            conditions,
+            any_plan=any_plan,
+        )
 
     def told(self) -> dict[str, Any]:
         """Return what the proof says, by name.
@@ -103,6 +121,7 @@ class Proof(Mapping[str, Any]):
             "optimum": self.optimum,
             "excess": self.excess,
             "solo_excess": self.solo_excess,
+            "any_plan": self.any_plan,
         }
         return {name: value for name, value in every.items() if value is not None}
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from ..costs.share import Share
 
 __all__ = [
-    "WHOLE", "Event", "Leg", "Line", "NetworkIdentity", "PlannedTrip", "Platoon", "PlatoonPoint",
-    "SoloRoute", "Span", "Stop", "Stretch",
+    "WHOLE", "Event", "Leg", "Line", "MasterTried", "NetworkIdentity", "PlannedTrip", "Platoon",
+    "PlatoonPoint", "SoloRoute", "Span", "Stop", "Stretch",
 ]  # fmt: skip
 
 Span = tuple[float, float]
@@ -208,6 +208,25 @@ class Platoon:
     vehicles: tuple[int, ...]
     master: int | None
     case: str
+
+
+@dataclass(frozen=True, slots=True)
+class MasterTried:
+    """What a plan would cost with one of its vehicles as master.
+
+    Attributes
+    ----------
+    vehicle : int
+        Its position in the plan.
+    case : str
+        "A", "B" or "C".
+    cost : float
+        Of all vehicles together, in the unit of the plan.
+    """
+
+    vehicle: int
+    case: str
+    cost: float
 
 
 @dataclass(frozen=True, slots=True)

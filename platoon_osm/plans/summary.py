@@ -7,7 +7,9 @@ from collections.abc import Callable, Sequence
 from ..shown_text import fitted
 from .clock import MENTIONED_S, duration
 from .credits import credits_of
+from .leading import leading_text
 from .plan import Plan
+from .proof_sentence import proof_sentence
 from .records import Line
 from .text_table import MOST_ROWS, listed, named, table_lines, width_of
 from .timetable import Timetable, VehicleTimes
@@ -202,26 +204,16 @@ def _starts_at(vehicle: VehiclePlan, line: Line) -> bool:
     return line[0] == (vehicle.origin.lon, vehicle.origin.lat)
 
 
+def _leading(plan: Plan) -> list[str]:
+    text = leading_text(plan)
+    return [text] if text else []
+
+
 def _proof(plan: Plan) -> list[str]:
-    return [_proved(plan)]
-
-
-def _proved(plan: Plan) -> str:
-    kind = plan.proof.get("kind")
-    conditions = fitted("; ".join(plan.proof.get("conditions", ())))
-    if kind == "exact":
-        return f"Proved optimal ({conditions})."
-    if kind == "bound":
-        return f"At most {plan.proof['gap']:.3%} above the optimum ({conditions})."
-    excess = plan.proof["excess"]
-    side = "above" if excess >= 0 else "below"
-    return (
-        f"Found by the paper's inflated A*: {abs(excess):.2%} {side} the optimum ({conditions}); "
-        f"its routes alone cost {plan.proof['solo_excess']:.2%} above the least."
-    )
+    return [proof_sentence(plan)]
 
 
 PARTS: tuple[Callable[[Plan], list[str]], ...] = (
-    _heading, _table, _alone, _day, _points, _access_legs, _proof, _notes, _credits,
+    _heading, _table, _alone, _day, _points, _access_legs, _leading, _proof, _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""

@@ -32,7 +32,7 @@ from platoon_osm.errors import ScenarioError
         ('case = "C"', "case = 3", "must be a text in quotes"),
         ('case = "C"', 'objective = "both"', "objective 'both' is unknown; use member, system"),
         ('case = "C"', 'method = "magic"', "method 'magic' is unknown; use dijkstra, astar"),
-        ('case = "C"', 'master = "Z"', "master 'Z' has no trip; vehicles are A, B"),
+        ('case = "C"', 'master = "Z"', "master 'Z' has no trip; vehicles are A and B"),
         ('case = "C"', "[costs]\ntau = -0.5", "tau = -0.5 must be a number in [0, 1]"),
         ('case = "C"', "[costs]\nspeed_kmh = -80", "speed_kmh = -80 must be a number"),
         ('case = "C"', "[costs]\nfuel_saving = nan", "fuel_saving = nan must be a number"),
@@ -80,8 +80,9 @@ def test_classes_that_are_no_list(capsys, value):
 def test_an_unreachable_destination(capsys):
     Path("bad.toml").write_text(trips_between((11.1, 45.0), (11.4, 45.1), two_roads()))
     refused(
-        capsys, ["plan", "bad.toml", *OUTPUTS], "'A'", "no route from", "two.osm", "--infer-links"
-    )
+        capsys, ["plan", "bad.toml", *OUTPUTS], "'A'", "no route from", "two.osm", "--infer-links",
+        status=1,
+    )  # fmt: skip
 
 
 def test_origin_and_destination_in_one_spot(capsys):
@@ -146,7 +147,7 @@ def test_each_remedy_that_a_message_names_is_there_where_it_was_given(capsys):
     """No route: the three spellings of one remedy, each tried."""
     text = trips_between(GAP[1], GAP[4], gap("gap.osm"))
     Path("s.toml").write_text(text)
-    said = refused(capsys, ["plan", "s.toml"], "no route from")
+    said = refused(capsys, ["plan", "s.toml"], "no route from", status=1)
     assert "infer_links=True, --infer-links, or infer_links = true below [network]" in said
     assert run("plan", "s.toml", "--infer-links") == 0
     changed = text.replace('network = "gap.osm"\n', "")

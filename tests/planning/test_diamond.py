@@ -44,7 +44,7 @@ def test_alone(diamond):
 
 
 def test_case_c_b_drives_up_to_north_and_joins_a(diamond):
-    plan = plan_joint(*diamond, [A, B], "C")
+    plan = plan_joint(*diamond, [A, B], "C", master="longest")
     a, b = plan.vehicles
     assert (a.role, b.role) == ("master", "member")
     # B: 1 km alone for 3, then 10 km together for 20: 23 instead of 27.
@@ -57,7 +57,7 @@ def test_case_c_b_drives_up_to_north_and_joins_a(diamond):
 
 
 def test_case_a_is_the_same_for_b_ends_where_a_does(diamond):
-    plan = plan_joint(*diamond, [A, B], "A")
+    plan = plan_joint(*diamond, [A, B], "A", master="longest")
     assert plan.joint_cost == 73
     assert plan.vehicles[1].merge.node == NORTH
 
@@ -79,8 +79,18 @@ def test_case_d_a_comes_by_the_longer_way_to_pick_b_up(diamond):
     assert a.merge.km == 12
 
 
-def test_best_is_case_d(diamond):
+def test_best_is_that_a_comes_to_b(diamond):
+    # With A as master 73. That A joins B costs what D does, and is simpler: A stays to the end.
     plan = plan_joint(*diamond, [A, B])
+    assert (plan.case, plan.asked, plan.joint_cost) == ("A", "best", 72)
+    assert [(one.vehicle, one.case, one.cost) for one in plan.masters] == [
+        (1, "A", 72),
+        (0, "A", 73),
+    ]
+
+
+def test_best_with_the_longest_as_master_is_case_d(diamond):
+    plan = plan_joint(*diamond, [A, B], master="longest", company="master")
     assert (plan.case, plan.asked, plan.joint_cost) == ("D", "best", 72)
 
 

@@ -32,6 +32,11 @@ def searched(monkeypatch):
     return sources
 
 
+def alone_only(searched):
+    """The searches under the solo weight, which the first has; turns and bounds have their own."""
+    return [one for one in searched if one[0] == searched[0][0]]
+
+
 PLACES = [("Torino", "Trieste"), ("Genova", "Belluno"), ("Milano", "Brennero")]
 
 
@@ -39,16 +44,18 @@ def test_three_trips_in_all_cases_search_each_node_once(searched):
     net = po.load_network("italy-motorways")
     trips = [Trip("ABC"[k], *places) for k, places in enumerate(PLACES)]
     plan_joint(net, po.paper_weights(net), trips, "best", engine="reference")
-    assert 0 < len(searched) <= MOST_SEARCHES
-    assert len(set(searched)) == len(searched)
+    alone = alone_only(searched)
+    assert 0 < len(alone) <= MOST_SEARCHES
+    assert len(set(alone)) == len(alone)
 
 
 def test_two_trips_in_all_cases_and_d_search_each_node_once(searched):
     net = po.load_network("italy-motorways")
     trips = [Trip("AB"[k], *places) for k, places in enumerate(PLACES[:2])]
     plan_joint(net, po.paper_weights(net), trips, "best", engine="reference")
-    assert 0 < len(searched) <= MOST_SEARCHES
-    assert len(set(searched)) == len(searched)
+    alone = alone_only(searched)
+    assert 0 < len(alone) <= MOST_SEARCHES
+    assert len(set(alone)) == len(alone)
 
 
 def same_on_both(net, weights, trips, case, **options):

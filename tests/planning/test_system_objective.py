@@ -27,7 +27,7 @@ def plan_and_optimum(data, most_members, members_at_least=1):
         st.lists(st.sampled_from(ways), min_size=members_at_least + 1, max_size=most_members + 1)
     )
     named = [Trip("ABCD"[k], *trip) for k, trip in enumerate(trips)]
-    plan = plan_joint(net, weights, named, case, objective="system", master="A")
+    plan = plan_joint(net, weights, named, case, objective="system", master="A", company="master")
     route = np.array(plan.vehicles[0].alone.edges)
     optimum = system_optimum(net, weights, route, trips[1:], case)
     return net, weights, named, case, plan, optimum
@@ -106,7 +106,7 @@ def test_a_member_goes_out_of_its_way_for_the_master():
     selfish = plan_joint(net, weights, trips, "C", objective="member", master="A")
     assert selfish.vehicles[1].role == "alone"
     assert selfish.joint_cost == 20 + 10
-    shared = plan_joint(net, weights, trips, "C", objective="system", master="A")
+    shared = plan_joint(net, weights, trips, "C", objective="system", master="A", company="master")
     # B pays 3 more than alone, A 5 less.
     assert [vehicle.joint_cost for vehicle in shared.vehicles] == [15, 13]
     assert shared.proof["kind"] == "exact"
@@ -116,7 +116,7 @@ def test_one_companion_is_enough_for_the_master():
     # With half of the gain each, neither B nor C would come; one of the two must, and only one.
     net, weights = detour_network()
     trips = [Trip("A", 0, 2), Trip("B", 3, 2), Trip("C", 3, 2)]
-    plan = plan_joint(net, weights, trips, "C", objective="system", master="A")
+    plan = plan_joint(net, weights, trips, "C", objective="system", master="A", company="master")
     assert plan.joint_cost == 15 + 13 + 10
     assert sorted(vehicle.role for vehicle in plan.vehicles) == ["alone", "master", "member"]
     if plan.proof["kind"] == "bound":

@@ -26,6 +26,7 @@ RECORDS = {
     "trip": records.PlannedTrip, "share": Share, "stretch": records.Stretch,
     "platoon": records.Platoon, "event": records.Event, "network": records.NetworkIdentity,
     "proof": Proof, "timetable": Timetable, "vehicle_times": VehicleTimes,
+    "master_tried": records.MasterTried,
 }  # fmt: skip
 
 

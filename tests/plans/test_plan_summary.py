@@ -51,7 +51,8 @@ def test_table_points_and_proof(road):
     assert (
         f"B merges with A at {where[0]} (its km 10), separates at {where[1]} (its km 20)" in lines
     )
-    assert lines[-2].startswith("Proved optimal (waiting at merging points is free")
+    assert lines[-3] == "A leads."
+    assert lines[-2].startswith("Proved optimal for: master A on its own route; waiting at merging")
     credits = ["map: its source was not told", GEONAMES_CREDIT]
     assert lines[-1] == f"Credits: {'; '.join(credits)}."
 
@@ -98,3 +99,25 @@ def test_times_are_printed_where_a_plan_has_them(road):
     assert "Times are of 2026-03-02, local time." in lines
     assert "(its km 10, 06:08 after waiting 5 min), separates" in text
     assert "(its km 20, 06:15)" in text
+
+
+def test_the_runner_up_is_told():
+    # B and C share 40 km that A never sees; with A in front less is saved.
+    net = network([0, 1, 1, 3, 4], [1, 2, 3, 4, 1], [10e3, 60e3, 20e3, 20e3, 5e3])
+    trips = [Trip("A", 0, 2), Trip("B", 0, 4), Trip("C", 1, 4)]
+    plan = plan_joint(net, paper_weights(net), trips, "C", company="master")
+    text = plan.summary()
+    chosen = next(v.vehicle for v in plan.vehicles if v.role == "master")
+    assert f"{chosen} leads; with " in text
+    assert "in front it would be" in text
+    assert "3 of 3 masters tried" in text
+
+
+def test_a_bound_says_what_could_be_saved_at_most():
+    net = network([0, 1, 2, 2, 4, 5], [1, 2, 3, 5, 1, 6], [90e3, 90e3, 90e3, 40e3, 5e3, 20e3])
+    trips = [Trip("A", 0, 3), Trip("B", 0, 6), Trip("C", 4, 6)]
+    plan = plan_joint(net, paper_weights(net), trips, "C", master="A")
+    assert plan.proof.kind in ("bound", "exact")
+    most = 1 - plan.proof.any_plan / plan.solo_cost
+    assert plan.saving <= most + 1e-9
+    assert "optimal (" not in plan.summary()

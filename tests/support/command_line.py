@@ -71,13 +71,13 @@ def run(*arguments):
         return left.code
 
 
-def refused(capsys, arguments, *said):
-    """The command must fail with status 2, one line, nothing printed and nothing written."""
+def refused(capsys, arguments, *said, status=2):
+    """The command must fail with a status, one line, nothing printed and nothing written."""
     before = {path: path.read_bytes() for path in Path().rglob("*") if path.is_file()}
     capsys.readouterr()
-    status = run(*arguments)
+    found = run(*arguments)
     out, err = capsys.readouterr()
-    assert status == 2
+    assert found == status
     assert out == ""
     assert err.count("\n") == 1, err
     assert err.endswith("\n")

@@ -12,6 +12,7 @@ import click
 
 from ...errors import ScenarioError
 from ...output_paths import PAGES, Output, check_outputs
+from ..exit_status import end_if_late
 from ..options import FILE, output_option
 from ..outputs import existing_files, speaker, write_all
 from ..progress import steps
@@ -68,6 +69,7 @@ def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
         say(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
     if output.path is not None:
         say(f"\nWritten: {output.path}")
+    end_if_late(plans)
 
 
 def _in_cases(scenario: Scenario, cases: str | None) -> Iterator[tuple[str, Scenario]]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from ...output_paths import Output, check_outputs
+from ..exit_status import end_if_late
 from ..outputs import output_kind, write_all
 from ..progress import steps
 
@@ -56,3 +57,4 @@ def verb(output: Output) -> None:
     for title, plan in plans:
         click.echo(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
     click.echo(f"\nMap: {files['html']}\nGIS: {files['gpkg']}")
+    end_if_late([plan for _, plan in plans])

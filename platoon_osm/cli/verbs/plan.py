@@ -13,6 +13,7 @@ from ...costs.presets import PRESETS
 from ...output_paths import check_outputs
 from ...report.exporters import EXPORTERS, Exporter
 from ..asked import asked_options, asked_scenario
+from ..exit_status import end_if_late
 from ..options import FILE, SectionOption, Sections
 from ..outputs import existing_files, output_kind, speaker, tell_written, write_all
 from ..progress import steps
@@ -99,6 +100,7 @@ def verb(scenario: Path | None, **given: Any) -> None:
     say = speaker(outputs)
     say(plan.summary())
     tell_written(outputs, say)
+    end_if_late([plan])
 
 
 def _write(plan: Plan, net: RoadNetwork, title: str, exporter: Exporter, path: Path) -> None:

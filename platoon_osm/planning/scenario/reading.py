@@ -21,7 +21,9 @@ from .trip_tables import read_trips
 
 __all__ = ["OPTION_KEYS", "read_scenario"]
 
-OPTION_KEYS = ("case", "objective", "method", "master")
+TEXT_KEYS = ("case", "objective", "method", "master", "company")
+NUMBER_KEYS = ("max_platoon", "patience_min")
+OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS)
 TOP_KEYS = ("title", "network", *OPTION_KEYS, "costs", "trips")
 TABLE_KEYS = ("file", "sheet")
 
@@ -88,7 +90,11 @@ def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | Non
         title=text_of("title", data.get("title", file.stem)),
         network=network,
         trips=_trips(file, data.get("trips")) if asked is None else asked,
-        options={key: text_of(key, data[key]) for key in OPTION_KEYS if key in data},
+        options={
+            key: text_of(key, data[key]) if key in TEXT_KEYS else data[key]
+            for key in OPTION_KEYS
+            if key in data
+        },
         costs={key: value for key, value in costs.items() if key != "preset"},
         preset=preset.name,
     )

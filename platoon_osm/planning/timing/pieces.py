@@ -11,11 +11,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from graphlib import TopologicalSorter
 from itertools import pairwise
+from typing import Protocol
 
-from ...plans.records import Stretch
 from ...plans.stretches import linked
 
-__all__ = ["Piece", "Pieces", "pieces_of"]
+__all__ = ["Driven", "Piece", "Pieces", "pieces_of"]
+
+
+class Driven(Protocol):
+    """What the clock asks of a stretch."""
+
+    @property
+    def vehicles(self) -> tuple[int, ...]:
+        """Positions of its vehicles in the plan."""
+        ...
+
+    @property
+    def drive_s(self) -> float:
+        """How long they drive it [s]."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,12 +79,12 @@ class Pieces:
     groups: tuple[tuple[int, ...], ...]
 
 
-def pieces_of(stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]) -> Pieces:
+def pieces_of(stretches: Sequence[Driven], ways: Sequence[Sequence[int]]) -> Pieces:
     """Cut a plan into pieces.
 
     Parameters
     ----------
-    stretches : sequence of Stretch
+    stretches : sequence of Driven
         Of the plan.
     ways : sequence of sequence of int, (N, ...)
         The stretches of each vehicle.
@@ -102,7 +116,7 @@ def pieces_of(stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]) -> Pi
 
 
 def _piece(
-    stretch: Stretch, before: Sequence[int], begins: Sequence[int], made: Sequence[Piece]
+    stretch: Driven, before: Sequence[int], begins: Sequence[int], made: Sequence[Piece]
 ) -> Piece:
     company = frozenset(stretch.vehicles)
     root, offset = len(made), 0.0

@@ -17,7 +17,9 @@ __all__ = ["credits", "proof_text", "provenance"]
 
 METHODS = {"dijkstra": "Dijkstra", "astar": "A*", "astar-closed-once": "A*, each node once"}
 
-PROOF_KEYS = frozenset({"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum"})
+PROOF_KEYS = frozenset(
+    {"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum", "any_plan"}
+)
 
 
 def provenance(plan: Plan, net: RoadNetwork, unit: CostUnit) -> Provenance:
@@ -102,10 +104,10 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
     told = [(shown(key), _value(value)) for key, value in others.items()]
     bound, gap = _number(proof, "bound"), _number(proof, "gap")
     excess, optimum = _number(proof, "excess"), _number(proof, "optimum")
-    solo_excess = _number(proof, "solo_excess")
+    solo_excess, any_plan = _number(proof, "solo_excess"), _number(proof, "any_plan")
     parts: list[str] = []
     if kind == "exact":
-        parts.append("Proved optimal")
+        parts.append("Proved optimal for")
     elif kind:
         parts.append(kind[:1].upper() + kind[1:])
     if gap is not None:
@@ -121,6 +123,8 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
     if optimum is not None:
         parts.append(f"the optimum costs {unit.full(optimum)}")
     parts += conditions
+    if any_plan is not None and kind == "exact":
+        parts.append(f"no other routes and company cost less than {unit.full(any_plan)}")
     parts += [f"{key.replace('_', ' ')}: {text}" for key, text in told]
     head, *rest = parts or [""]
     text = f"{head}: {'; '.join(rest)}" if rest else head

@@ -1,0 +1,224 @@
+"""Answers to a problem before the best is taken: stars of masters, and a pair's free routes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..plans.stretches import runs_alone, runs_along
+from .cases import MemberPlans
+from .company.draft import Draft, Floats, Order
+from .company.side_by_side import side_by_side
+from .company.turns import improved_in_turns
+from .pair import plan_pair
+from .question import Question
+from .star import Star, StarChoice
+from .timing.timed_points import OpenPoints, best_departure
+
+__all__ = ["Answer", "alone", "improved", "of_pair", "of_star"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Answer:
+    """One way to drive, and how it was found.
+
+    Attributes
+    ----------
+    draft : Draft
+        Who drives what with whom.
+    costs : ndarray of float, (N,)
+        What each pays.
+    case : str
+        "A", "B", "C" or "D".
+    master : int or None
+        The vehicle that the others join; None in case D.
+    bound : float or None
+        No answer of this case and master costs less; None if it is not known.
+    """
+
+    draft: Draft
+    costs: Floats
+    case: str
+    master: int | None
+    bound: float | None
+
+    @property
+    def cost(self) -> float:
+        """Cost of all together."""
+        return float(self.costs.sum())
+
+
+def alone(question: Question, master: int) -> Answer:
+    """Return the answer in which everyone drives alone.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+    master : int
+        Whom the others might have joined.
+
+    Returns
+    -------
+    Answer
+        Always possible.
+    """
+    draft = Draft.alone(question.alone)
+    case = question.problem.case
+    free = "C" if case == "best" else case
+    return Answer(draft, draft.costs(question.weights), free, master, None)
+
+
+def of_star(question: Question, star: Star, choices: list[StarChoice]) -> Answer | None:
+    """Return the cheapest choice of points that can be driven in time.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+    star : Star
+        One master and its members.
+    choices : list of StarChoice
+        Of the cases asked for, the cheapest first.
+
+    Returns
+    -------
+    Answer or None
+        None if nobody can join this master.
+    """
+    most = question.problem.max_platoon
+    for choice in choices:
+        points = choice.points
+        if most is not None:
+            points = star.within(points, choice.case, most)
+        answer = _starred(question, star, choice.case, points)
+        if points is choice.points:
+            answer = Answer(answer.draft, answer.costs, choice.case, star.master, choice.bound)
+        if question.allows(answer.draft):
+            return answer
+    if question.windows is None:
+        return None
+    timed = _timed(question, star, choices[-1])
+    return timed if timed is not None and question.allows(timed.draft) else None
+
+
+def _starred(question: Question, star: Star, case: str, points: MemberPlans) -> Answer:
+    draft = Draft.of(star.routes(points))
+    return Answer(draft, draft.costs(question.weights), case, star.master, None)
+
+
+def _timed(question: Question, star: Star, choice: StarChoice) -> Answer | None:
+    """Return the best points for a master that leaves at one moment and does not wait."""
+    windows = question.windows
+    assert windows is not None
+    entry, leave, solo = star.costs
+    drive_s = question.drive_s
+    members = [question.ends[k] for k in star.members]
+
+    def way_s(start: int, end: int) -> float:
+        return float(drive_s[question.router.route(start, end)].sum())
+
+    approach, onward = np.full(entry.shape, np.inf), np.full(entry.shape, np.inf)
+    for row, own in enumerate(members):
+        for place, node in enumerate(star.nodes.tolist()):
+            # Dearer than alone to get there at all, even if everything shared were free: never.
+            if entry[row, place] <= solo[row]:
+                approach[row, place] = way_s(own.origin, node)
+            if leave[row, place] <= solo[row]:
+                onward[row, place] = way_s(node, own.destination)
+    route_s = np.concatenate([[0.0], np.cumsum(drive_s[star.route])])
+    points = OpenPoints.of(
+        windows[star.master], [windows[k] for k in star.members], route_s, approach, onward
+    )
+
+    def chosen(moment: float) -> StarChoice:
+        # Members choose for themselves; what others gain by it, turns find afterwards.
+        return star.choose(choice.case, "member", (*points.at(moment, entry, leave), solo))
+
+    departure = best_departure(
+        points, choice.points.merge_index, lambda moment: chosen(moment).cost
+    )
+    if departure is None:
+        return None
+    found = chosen(departure).points
+    most = question.problem.max_platoon
+    if most is not None:
+        open_then = (*points.at(departure, entry, leave), solo)
+        found = star.within(found, choice.case, most, open_then)
+    return _starred(question, star, choice.case, found)
+
+
+def of_pair(question: Question, first: int) -> Iterator[Answer]:
+    """Return the plan of two vehicles whose routes are both free, under either leader.
+
+    Parameters
+    ----------
+    question : Question
+        Of two trips.
+    first : int
+        Who leads rather than the other.
+
+    Yields
+    ------
+    Answer
+        The same routes with one leader, then with the other; once if they stay apart.
+    """
+    own, other = question.ends[first], question.ends[1 - first]
+    pair = plan_pair(
+        question.net, question.weights,
+        (own.origin, other.origin), (own.destination, other.destination),
+        trees=question.trees,
+    )  # fmt: skip
+    if not len(pair.shared):
+        draft = Draft.alone(question.alone)
+        yield Answer(draft, draft.costs(question.weights), "D", None, pair.cost)
+        return
+    for order in ((first, 1 - first), (1 - first, first)):
+        ways = [
+            [
+                *runs_alone(pair.before[k], index),
+                *runs_along(pair.shared, [order] * len(pair.shared)),
+                *runs_alone(pair.after[k], index),
+            ]
+            for k, index in enumerate((first, 1 - first))
+        ]
+        draft = Draft.of(ways if first == 0 else ways[::-1])
+        yield Answer(draft, draft.costs(question.weights), "D", None, pair.cost)
+
+
+def improved(question: Question, answer: Answer, fixed: bool) -> Answer:
+    """Return an answer with all company there can be, then improved in turns.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+    answer : Answer
+        Of a star.
+    fixed : bool
+        Whether the master keeps its route, because the problem names it.
+
+    Returns
+    -------
+    Answer
+        Never dearer; the given one if nothing was found.
+    """
+    problem = question.problem
+    if problem.company == "master" or problem.case not in ("C", "best"):
+        # In A and B as they are asked for, who drives beside the platoon may not be able to stay.
+        return answer
+    order = Order(question.lengths_m, answer.master)
+    draft = side_by_side(
+        answer.draft, question.weights, order, problem.max_platoon, question.allows
+    )
+    movable = {k for k in range(len(question.ends)) if not (fixed and k == answer.master)}
+    draft = improved_in_turns(
+        question.net, draft, question.weights, order, problem.max_platoon, question.allows,
+        movable, [(item.origin, item.destination) for item in question.ends],
+    )  # fmt: skip
+    if draft is answer.draft:
+        return answer
+    case = "C" if problem.case == "best" else answer.case
+    return Answer(draft, draft.costs(question.weights), case, answer.master, None)

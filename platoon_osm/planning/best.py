@@ -1,0 +1,156 @@
+"""The best answer to a problem, after times; and what is proved about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from ..plans.proof import Proof
+from ..plans.records import MasterTried
+from .answers import Answer, alone
+from .company.bound import least_total
+from .master import longest_first
+from .masters import Tried, candidates, fixed_master, star_cases
+from .question import Question
+
+__all__ = ["Best", "best_answer"]
+
+NO_CHEAPER = 1e-9
+"""An answer is better only if it costs less by this share; else the earlier one is taken."""
+
+WAITING_FREE = "waiting at merging points is free"
+ALIKE = "vehicles are alike"
+ONE_STRETCH = "one shared stretch for each member"
+ANY_WAY = "all routes and companies of these trips are compared"
+CLOCK_FORBIDS = "the clock forbids cheaper company, and this is the best that was found in time"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Best:
+    """The answer that is taken.
+
+    Attributes
+    ----------
+    answer : Answer
+        Who drives what with whom.
+    proof : Proof
+        How good it is known to be.
+    masters : tuple of MasterTried
+        What each master that was tried would give, the cheapest first.
+    remarks : tuple of str
+        What a reader should know.
+    """
+
+    answer: Answer
+    proof: Proof
+    masters: tuple[MasterTried, ...]
+    remarks: tuple[str, ...]
+
+
+def best_answer(question: Question) -> Best:
+    """Return the cheapest answer that can be driven; of equally good ones the simplest.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+
+    Returns
+    -------
+    Best
+        The answer and what is proved about it.
+    """
+    fixed = fixed_master(question)
+    master = longest_first(question.lengths_m)[0] if fixed is None else fixed
+    tried = candidates(question) if len(question.ends) > 1 else Tried()
+    best = alone(question, master)
+    # Who drives alone at the same cost as in company drives in company: the paper's tie rule.
+    for answer in sorted(tried.answers, key=lambda one: (one.master is None, not _is_led(one))):
+        level = 1 + NO_CHEAPER if not best.draft.together else 1 - NO_CHEAPER
+        if answer.cost < best.cost * level and answer.draft.together:
+            best = answer
+    if fixed is None and best.master is not None and best.draft.together and not _is_led(best):
+        best = replace(best, master=_leader(best), bound=None)
+    if not best.draft.together:
+        stayed = [one for one in tried.answers if not one.draft.together]
+        same = [one for one in stayed if one.master == best.master or one.case == best.case]
+        best = replace(best, master=same[0].master, bound=same[0].bound) if same else best
+    return Best(
+        best,
+        _proof(question, best, tried, fixed),
+        _masters(tried),
+        tuple(_remarks(question, tried)),
+    )
+
+
+def _is_led(answer: Answer) -> bool:
+    """Tell whether anybody drives with the master, as where others alone drive together."""
+    master = answer.master
+    return master is not None and any(len(one) > 1 for one in answer.draft.companies[master])
+
+
+def _leader(answer: Answer) -> int:
+    """Return who drives in front of others for most edges."""
+    led = [
+        sum(len(one) > 1 and one[0] == index for one in own)
+        for index, own in enumerate(answer.draft.companies)
+    ]
+    return led.index(max(led))
+
+
+def _masters(tried: Tried) -> tuple[MasterTried, ...]:
+    found = [
+        MasterTried(answer.master, answer.case, answer.cost)
+        for answer in tried.answers
+        if answer.master is not None
+    ]
+    return tuple(sorted(found, key=lambda one: one.cost))
+
+
+def _proof(question: Question, best: Answer, tried: Tried, fixed: int | None) -> Proof:
+    ends = [(item.origin, item.destination) for item in question.ends]
+    any_plan = least_total(question.net, question.weights, ends, question.solo, best.cost)
+    free = question.problem.objective.waiting(3600.0) == 0
+    conditions = (WAITING_FREE,) if free else ()
+    if len(question.ends) < 2:
+        return Proof.of(best.cost, best.cost, conditions)
+    if best.case == "D" and best.bound is not None:
+        return Proof.of(best.cost, best.bound, (*conditions, ALIKE, ONE_STRETCH), any_plan)
+    late = tried.blind < best.cost * (1 - NO_CHEAPER) and question.windows is not None
+    if best.bound is None or late:
+        return _bounded(best, any_plan, late, conditions)
+    assert best.master is not None
+    name = question.ends[best.master].vehicle
+    who = (f"master {name} on its own route", *_compared(question, tried, fixed))
+    return Proof.of(best.cost, min(best.bound, best.cost), (*who, *conditions), any_plan)
+
+
+def _bounded(best: Answer, any_plan: float, late: bool, conditions: tuple[str, ...]) -> Proof:
+    clock = (CLOCK_FORBIDS,) if late else ()
+    return Proof.of(best.cost, any_plan, (ANY_WAY, *clock, *conditions), any_plan)
+
+
+def _compared(question: Question, tried: Tried, fixed: int | None) -> tuple[str, ...]:
+    if fixed is not None or not star_cases(question):
+        return ()
+    count = len(question.ends)
+    planned = sum(answer.master is not None for answer in tried.answers)
+    if tried.compared < count:
+        return (f"{tried.compared} of {count} masters tried, those whose routes others share most",)
+    if planned < count:
+        return (f"{count} of {count} masters compared, {planned} of them planned in full",)
+    return (f"{count} of {count} masters tried",)
+
+
+def _remarks(question: Question, tried: Tried) -> list[str]:
+    found = []
+    for answer in tried.left_out:
+        losers = question.losers(answer.draft)
+        paid = answer.costs
+        who = max(losers, key=lambda k: paid[k] / question.solo[k] if question.solo[k] else 0.0)
+        more = paid[who] / question.solo[who] - 1 if question.solo[who] else 0.0
+        saved = 1 - answer.cost / float(question.solo.sum())
+        found.append(
+            f"case {answer.case} would save {saved:.1%} in all, but {question.ends[who].vehicle} "
+            f'would pay {more:.1%} more than alone; ask for objective "system" and share the gain'
+        )
+    return found

@@ -1,0 +1,117 @@
+"""Whether a plan in the making can be driven: nobody waits in a circle, nobody beyond its limits.
+
+Every demand on times says "not before": a piece starts when all who drive it are there, and nobody
+leaves before it may. So starting each piece as early as possible is the earliest for all, and the
+plan can be driven iff these times keep every latest departure and arrival.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from graphlib import CycleError
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...plans.stretches import Run, stretched
+from .limits import Window
+from .pieces import Pieces, pieces_of
+
+__all__ = ["InTime", "earliest_starts"]
+
+HAIR_S = 1e-6
+"""Sums of the same driving times may differ by less than this [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Timed:
+    """A stretch of which only company and driving time are known."""
+
+    vehicles: tuple[int, ...]
+    drive_s: float
+
+
+class InTime:
+    """Tells whether vehicles can drive some runs within their limits.
+
+    Parameters
+    ----------
+    drive_s : ndarray of float, (m,)
+        Driving time of each edge [s].
+    windows : sequence of Window, (N,), or None
+        Limits of each vehicle; None if nobody names a time.
+    """
+
+    def __init__(self, drive_s: NDArray[np.float64], windows: Sequence[Window] | None) -> None:
+        self._drive_s, self._windows = drive_s, windows
+
+    def __call__(self, runs: Sequence[Sequence[Run]]) -> bool:
+        """Tell whether the runs can be driven.
+
+        Parameters
+        ----------
+        runs : sequence of sequence of Run, (N, ...)
+            Each vehicle's in driving order.
+
+        Returns
+        -------
+        bool
+            False if vehicles wait for each other in a circle, or somebody cannot keep its limits.
+        """
+        stretches, ways = stretched(runs)
+        driven: dict[int, set[int]] = {}
+        for index, way in enumerate(ways):
+            for stretch in way:
+                driven.setdefault(stretch, set()).add(index)
+        if any(driven[k] != set(run.company) for k, run in enumerate(stretches)):
+            return False  # one drives on where another turns off and comes back
+        timed = [
+            _Timed(run.company, float(self._drive_s[list(run.edges)].sum())) for run in stretches
+        ]
+        try:
+            pieces = pieces_of(timed, ways)
+        except CycleError:
+            return False
+        return self._windows is None or _kept(pieces, self._windows)
+
+
+def earliest_starts(pieces: Pieces, windows: Sequence[Window]) -> list[float]:
+    """Return the earliest start of each piece.
+
+    Parameters
+    ----------
+    pieces : Pieces
+        In an order of time.
+    windows : sequence of Window, (N,)
+        Limits of the vehicles.
+
+    Returns
+    -------
+    list of float
+        Seconds; minus infinity where nobody names an earliest departure.
+    """
+    starts: list[float] = []
+    for k, piece in enumerate(pieces.pieces):
+        if piece.root != k:
+            starts.append(starts[piece.root] + piece.offset_s)
+            continue
+        ready = [starts[last] + pieces.pieces[last].time_s for last in piece.before]
+        ready += [low for index in piece.begins if (low := windows[index].earliest) is not None]
+        starts.append(max(ready, default=-math.inf))
+    return starts
+
+
+def _kept(pieces: Pieces, windows: Sequence[Window]) -> bool:
+    starts = earliest_starts(pieces, windows)
+    for way, window in zip(pieces.ways, windows, strict=True):
+        first, last = way[0], way[-1]
+        end = starts[last] + pieces.pieces[last].time_s
+        if window.arrival is not None and end > window.arrival + HAIR_S:
+            return False
+        # In company it may leave its origin in time and wait there; alone it just leaves.
+        alone = len(pieces.pieces[first].company) == 1
+        if alone and window.latest is not None and starts[first] > window.latest + HAIR_S:
+            return False
+    return True
