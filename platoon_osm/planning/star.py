@@ -113,12 +113,12 @@ class Star:
 
     @cached_property
     def costs(self) -> tuple[Floats, Floats, Floats]:
-        """Costs to join (M, K + 1), to leave (M, K + 1) and alone (M,) of the members."""
+        """What members pay to join (M, K + 1), to leave (M, K + 1) and alone (M,)."""
         return self._shared.of(self.master, self.members)
 
     @cached_property
     def nodes(self) -> Edges:
-        """Nodes of the master's route, (K + 1,)."""
+        """The nodes of the master's route, (K + 1,)."""
         return self._shared.nodes[self.master]
 
     @cached_property

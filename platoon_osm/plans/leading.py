@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .text_table import listed, named
 from .plan import Plan
 from .records import MasterTried
+from .text_table import listed, named
 
 __all__ = ["leading_text"]
 

@@ -23,7 +23,7 @@ class Driven(Protocol):
 
     @property
     def vehicles(self) -> tuple[int, ...]:
-        """Positions of its vehicles in the plan."""
+        """The positions of its vehicles in the plan."""
         ...
 
     @property

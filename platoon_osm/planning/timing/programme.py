@@ -22,6 +22,15 @@ class Programme:
 
     Its variables are the starts of all pieces (those that are settled by another are fixed at 0),
     the lateness of each vehicle, its wait at its origin, and the largest lateness.
+
+    Parameters
+    ----------
+    pieces : Pieces
+        In an order of time.
+    windows : sequence of Window, (N,)
+        What is demanded of each vehicle.
+    asked : sequence of Window, (N,)
+        What the trips name themselves.
     """
 
     def __init__(self, pieces: Pieces, windows: Sequence[Window], asked: Sequence[Window]) -> None:
@@ -51,12 +60,28 @@ class Programme:
                 self.limit(row, window.latest)
 
     def limit(self, row: Row, most: float) -> None:
-        """Demand that a sum is at most so much."""
+        """Demand that a sum is at most so much.
+
+        Parameters
+        ----------
+        row : dict of int to float
+            Factors by variable.
+        most : float
+            The limit.
+        """
         self.rows.append(row)
         self.limits.append(most)
 
     def demands(self) -> tuple[Any, Floats | None]:
-        """Return all rows as a sparse matrix, and what their sums may be at most."""
+        """Return all rows as a sparse matrix, and what their sums may be at most.
+
+        Returns
+        -------
+        rows : csr_array or None
+            One a demand; None if there are none.
+        limits : ndarray of float or None
+            Likewise.
+        """
         from scipy.sparse import csr_array
 
         if not self.rows:
@@ -68,7 +93,18 @@ class Programme:
         return csr_array((factors, columns, first), shape=shape), np.array(self.limits)
 
     def row(self, *terms: tuple[int, float]) -> Row:
-        """Return a row with factors for starts of pieces, without what is constant in them."""
+        """Return a row with factors for starts of pieces, without what is constant in them.
+
+        Parameters
+        ----------
+        *terms : tuple of (int, float)
+            Pieces and their factors.
+
+        Returns
+        -------
+        dict of int to float
+            Factors by variable.
+        """
         row: Row = {}
         for piece, factor in terms:
             root = self.pieces.pieces[piece].root
@@ -103,7 +139,13 @@ class Programme:
         return named
 
     def aims(self) -> Iterator[Floats]:
-        """Yield what is minimised, one after another."""
+        """Yield what is minimised, one after another.
+
+        Yields
+        ------
+        ndarray of float
+            Factors by variable.
+        """
         most_late, all_late, waiting, arrivals, starts = np.zeros((5, self.size))
         most_late[-1] = 1
         all_late[self.late : self.origin_wait] = 1

@@ -33,8 +33,8 @@ from numpy.typing import NDArray
 
 from ...errors import ScenarioError
 from ...plans.clock import Clock, late_by
-from ...plans.text_table import listed
 from ...plans.plan import Plan
+from ...plans.text_table import listed
 from ...plans.timetable import LATE_S, Timetable, VehicleTimes
 from ...plans.trip import Trip, check_one_clock
 from ...plans.zones import clock_of, in_order
