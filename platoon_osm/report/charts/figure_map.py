@@ -2,26 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...shown_text import shortened
 from ..document.model import Document
 from ..drawing.lines import Point
 from ..drawing.palette import FRAME, INK, MUTED, NETWORK, PAPER, PLATOON, PLATOON_CASING
-from ..maps.lanes import band_aside, band_lines, band_width, solo_aside
-from ..maps.map_texts import placed_callouts, placed_names
-from ..maps.map_view import MapView
-from ..maps.pixels import laid, simplified
-from ..maps.placement import Box, Cover
+from ..drawing.vehicle_styles import letter_size
+from ..maps.lanes import band_lines, band_width
+from ..maps.map_texts import NAME_SIZE
+from ..maps.pixels import simplified
+from .figure_layout import CREDIT_SIZE, Layout, layout_of
 from .paper import WIDTH_IN, axes_of, dash_of
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from ..maps.map_texts import Callout
+    from ..maps.static_marks import Mark
 
 __all__ = ["corridor"]
+
+# What lies over what.
+TIES, MARKS, CALLOUTS = 4, 5, 6
 
 
 def corridor(document: Document) -> Figure:
@@ -37,139 +40,141 @@ def corridor(document: Document) -> Figure:
     Figure
         Of matplotlib.
     """
-    from matplotlib.collections import LineCollection
-
-    view = MapView([document], heights=(320.0, 980.0), margin=44.0)
-    cover = Cover(view.width, view.height)
-    figure, axes = axes_of(WIDTH_IN * view.height / view.width, layout="none")
+    layout = layout_of(document)
+    figure, axes = axes_of(WIDTH_IN * layout.view.height / layout.view.width, layout="none")
     axes.set_position((0.0, 0.0, 1.0, 1.0))
     axes.set_axis_off()
-    axes.set_xlim(0, view.width)
-    axes.set_ylim(view.height, 0)
-    background = [simplified(view.pixels(line)) for line in document.basemap.known]
-    axes.add_collection(LineCollection(background, colors=NETWORK, linewidths=_points(1.6, view)))
-    _routes(axes, document, view, cover)
-    _marks(axes, document, view, cover)
-    places = view.places(document)
-    for one in placed_callouts(document, places.events, cover):
-        _callout(axes, one, view)
-    for text, box in placed_names(document, places.towns, cover):
-        axes.text(
-            box.left + box.width / 2,
-            box.top + 9,
-            text,
-            size=_points(11.5, view),
-            color=MUTED,
-            ha="center",
-            va="center_baseline",
-        )
-    credit = " \u00b7 ".join(document.provenance.credits)
-    axes.text(
-        view.width - 6, view.height - 6, shortened(credit, 140), ha="right", fontsize=5, color=MUTED
-    )
+    axes.set_xlim(0, layout.view.width)
+    axes.set_ylim(layout.view.height, 0)
+    drawing = _Drawing(axes, layout)
+    drawing.roads(document)
+    for mark in layout.marks:
+        drawing.mark(mark)
+    for one in layout.callouts:
+        drawing.callout(one)
+    for text, box in layout.names:
+        drawing.text(box.left + box.width / 2, box.top + 9, text, NAME_SIZE, MUTED)
+    text, box = layout.credit
+    drawing.text(box.left + box.width / 2, box.top + box.height / 2, text, CREDIT_SIZE, MUTED)
     return figure
 
 
-def _points(pixels: float, view: MapView) -> float:
-    """Return a width in points of paper that is so many pixels of the view."""
-    return pixels * 72 * WIDTH_IN / view.width
+class _Drawing:
+    """Axes whose units are the pixels of a layout."""
 
+    def __init__(self, axes: Any, layout: Layout) -> None:
+        self.axes, self.layout = axes, layout
 
-def _routes(axes: Axes, document: Document, view: MapView, cover: Cover) -> None:
-    vehicles = document.vehicles
+    def points(self, pixels: float) -> float:
+        """Return a width in points of paper that is so many pixels of the view."""
+        return pixels * 72 * WIDTH_IN / self.layout.view.width
 
-    def line(points: list[Point], colour: str, pixels: float, **options: Any) -> None:
+    def line(self, points: Sequence[Point], colour: str, pixels: float, **options: Any) -> None:
+        """Draw a line so many pixels wide."""
         xs, ys = zip(*points, strict=True)
         options.setdefault("solid_capstyle", "butt")
-        axes.plot(xs, ys, color=colour, linewidth=_points(pixels, view), **options)
+        self.axes.plot(xs, ys, color=colour, linewidth=self.points(pixels), **options)
 
-    for solo in document.solos:
-        vehicle = vehicles[solo.vehicle]
-        points = laid(
-            [(simplified(view.pixels(part.line)), solo_aside(part, view)) for part in solo.parts]
+    def text(self, x: float, y: float, text: str, size: float, colour: str, **options: Any) -> None:
+        """Write a text whose type is so many pixels high, round a point unless told otherwise."""
+        options = {"ha": "center", "va": "center_baseline", **options}
+        self.axes.text(x, y, text, size=self.points(size), color=colour, **options)
+
+    def roads(self, document: Document) -> None:
+        """Draw the network, roads driven alone, and bands of platoons."""
+        from matplotlib.collections import LineCollection
+
+        background = [simplified(self.layout.view.pixels(line)) for line in document.basemap.known]
+        self.axes.add_collection(
+            LineCollection(background, colors=NETWORK, linewidths=self.points(1.6))
         )
-        cover.add_line(points)
-        line(points, PAPER, 7.0)
-        dashes = {"linestyle": (0, (0.1, 2.2)), "dash_capstyle": "round"}
-        line(points, vehicle.colour, 3.6, **(dashes if solo.access else dash_of(vehicle)))
-    for section in document.platoons:
-        step, width = band_lines(len(section.vehicles))
-        roads = [
-            (simplified(view.pixels(part.line)), band_aside(part, view)) for part in section.parts
-        ]
-        asides = [
-            (place - (len(section.vehicles) - 1) / 2) * step
-            for place in range(len(section.vehicles))
-        ]
-        middle, *lanes = (
-            laid([(road, band + aside) for road, band in roads]) for aside in (0.0, *asides)
+        for solo, points in zip(document.solos, self.layout.solos, strict=True):
+            vehicle = document.vehicles[solo.vehicle]
+            self.line(points, PAPER, 7.0)
+            dashes = {"linestyle": (0, (0.1, 2.2)), "dash_capstyle": "round"}
+            self.line(points, vehicle.colour, 3.6, **(dashes if solo.access else dash_of(vehicle)))
+        for section, band in zip(document.platoons, self.layout.bands, strict=True):
+            inner = band_width(len(section.vehicles))
+            _, width = band_lines(len(section.vehicles))
+            self.line(band.middle, PLATOON_CASING, inner + 2)
+            self.line(band.middle, PLATOON, inner)
+            for index, points in zip(section.vehicles, band.lanes, strict=True):
+                vehicle = document.vehicles[index]
+                self.line(points, vehicle.colour, width, **dash_of(vehicle))
+
+    def mark(self, mark: Mark) -> None:
+        """Draw a start, destination, merge or separation, as the page has them."""
+        if mark.is_tied:
+            self.line([mark.spot, (mark.x, mark.y)], MUTED, 1.0, zorder=TIES)
+        if mark.is_event:
+            self._event(mark)
+            return
+        self._face(mark, mark.kind == "start", 9.5, mark.colour, PAPER)
+        self.text(
+            mark.x, mark.y, mark.letter, float(letter_size(mark.letter)), PAPER,
+            weight="bold", zorder=MARKS,
+        )  # fmt: skip
+
+    def _face(self, mark: Mark, is_round: bool, half: float, colour: str, rim: str) -> None:
+        from matplotlib.patches import Circle, FancyBboxPatch
+
+        look: dict[str, Any] = {
+            "facecolor": colour, "edgecolor": rim, "linewidth": self.points(1.6), "zorder": MARKS,
+        }  # fmt: skip
+        if is_round:
+            self.axes.add_patch(Circle((mark.x, mark.y), half, **look))
+            return
+        corner = (mark.x - half + 0.5, mark.y - half + 0.5)
+        side = 2 * half - 1
+        self.axes.add_patch(
+            FancyBboxPatch(corner, side, side, boxstyle="round,pad=0,rounding_size=3", **look)
         )
-        inner = band_width(len(section.vehicles))
-        line(middle, PLATOON_CASING, inner + 2)
-        line(middle, PLATOON, inner)
-        for index, points in zip(section.vehicles, lanes, strict=True):
-            cover.add_line(points, weight=4)
-            line(points, vehicles[index].colour, width, **dash_of(vehicles[index]))
 
+    def _event(self, mark: Mark) -> None:
+        """Draw a disc with two lines that become one, or a diamond with one that becomes two."""
+        from matplotlib.patches import Polygon
 
-def _marks(axes: Axes, document: Document, view: MapView, cover: Cover) -> None:
-    for vehicle in document.vehicles:
-        for stop, shape in ((vehicle.origin, "o"), (vehicle.destination, "s")):
-            x, y = view.at(stop.lon, stop.lat)
-            cover.add_box(Box(x - 10, y - 10, 20, 20))
-            axes.plot(
-                x,
-                y,
-                shape,
-                color=vehicle.colour,
-                markersize=_points(20, view),
-                markeredgecolor=PAPER,
+        def arrow(lines: Sequence[Sequence[Point]], heads: Sequence[Sequence[Point]]) -> None:
+            ink = PAPER if mark.kind == "merge" else INK
+            for points in lines:
+                moved = [(mark.x + x, mark.y + y) for x, y in points]
+                self.line(moved, ink, 2.0, zorder=MARKS, solid_capstyle="round")
+            for points in heads:
+                moved = [(mark.x + x, mark.y + y) for x, y in points]
+                self.axes.add_patch(Polygon(moved, facecolor=ink, linewidth=0, zorder=MARKS))
+
+        if mark.kind == "merge":
+            self._face(mark, True, 11.0, INK, PAPER)
+            arrow(
+                [[(-5.4, -4.8), (-0.8, 0), (-5.4, 4.8)], [(-0.8, 0), (3.4, 0)]],
+                [[(2.8, -3.4), (7.6, 0), (2.8, 3.4)]],
             )
-            axes.text(
-                x,
-                y,
-                vehicle.letter,
-                ha="center",
-                va="center_baseline",
-                color=PAPER,
-                size=_points(11, view),
-                weight="bold",
+            return
+        corners = [(0, -11.6), (11.6, 0), (0, 11.6), (-11.6, 0)]
+        self.axes.add_patch(
+            Polygon(
+                [(mark.x + x, mark.y + y) for x, y in corners], facecolor=PAPER, edgecolor=INK,
+                linewidth=self.points(1.8), joinstyle="round", zorder=MARKS,
             )
-    for event in document.events:
-        x, y = view.at(event.lon, event.lat)
-        cover.add_box(Box(x - 10, y - 10, 20, 20))
-        merge = event.kind == "merge"
-        axes.plot(
-            x,
-            y,
-            "o" if merge else "D",
-            color=INK if merge else PAPER,
-            zorder=5,
-            markersize=_points(18 if merge else 15, view),
-            markeredgecolor=PAPER if merge else INK,
+        )  # fmt: skip
+        arrow(
+            [[(-6.6, 0), (-2, 0)], [(2.2, -2.9), (-2, 0), (2.2, 2.9)]],
+            [[(1.2, -4.6), (5.2, -5), (3.5, -1.4)], [(1.2, 4.6), (5.2, 5), (3.5, 1.4)]],
         )
 
+    def callout(self, one: Callout) -> None:
+        """Draw a box with a text beside an event."""
+        from matplotlib.patches import FancyBboxPatch
 
-def _callout(axes: Axes, one: Callout, view: MapView) -> None:
-    from matplotlib.patches import FancyBboxPatch
-
-    if one.near:
-        xs, ys = zip((one.x, one.y), one.near, strict=True)
-        axes.plot(xs, ys, color=MUTED, linewidth=0.5, zorder=4)
-    box = one.box
-    axes.add_patch(
-        FancyBboxPatch(
-            (box.left, box.top),
-            box.width,
-            box.height,
-            zorder=6,
-            facecolor=PAPER,
-            edgecolor=FRAME,
-            linewidth=0.6,
-            boxstyle="round,pad=0,rounding_size=4",
-        )
-    )
-    axes.text(
-        box.left + 8, box.top + 14, one.head, size=_points(11.5, view), weight="bold", zorder=7
-    )
-    axes.text(box.left + 8, box.top + 28, one.line, size=_points(11, view), color=MUTED, zorder=7)
+        if one.near:
+            self.line([(one.x, one.y), one.near], MUTED, 1.0, zorder=TIES)
+        box = one.box
+        self.axes.add_patch(
+            FancyBboxPatch(
+                (box.left, box.top), box.width, box.height, zorder=CALLOUTS, facecolor=PAPER,
+                edgecolor=FRAME, linewidth=0.6, boxstyle="round,pad=0,rounding_size=4",
+            )
+        )  # fmt: skip
+        left: dict[str, Any] = {"ha": "left", "va": "baseline", "zorder": CALLOUTS}
+        self.text(box.left + 8, box.top + 14, one.head, 11.5, INK, weight="bold", **left)
+        self.text(box.left + 8, box.top + 28, one.line, 11, MUTED, **left)

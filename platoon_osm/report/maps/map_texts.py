@@ -11,7 +11,7 @@ from ..drawing.crowd import MANY_EVENTS
 from ..drawing.lines import Point
 from .placement import Box, Cover
 
-__all__ = ["NAME_SIZE", "Callout", "placed_callouts", "placed_names", "text_width"]
+__all__ = ["NAME_SIZE", "Callout", "clipped", "placed_callouts", "placed_names", "text_width"]
 
 NAME_SIZE = 11.5
 """Of a town's name, in pixels."""
@@ -63,8 +63,8 @@ def placed_callouts(document: Document, places: Sequence[Point], cover: Cover) -
     """
     worst = 1_000 if len(document.events) <= MANY_EVENTS else 60
     for event, (x, y) in zip(document.events, places, strict=True):
-        head = _clipped(f"{event.kind.capitalize()}: {event.name}", 11.5, True)
-        line = _clipped(event.text, 11, False)
+        head = clipped(f"{event.kind.capitalize()}: {event.name}", 11.5, True)
+        line = clipped(event.text, 11)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))
         box = cover.place(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)), worst)
         if box is None:
@@ -74,8 +74,26 @@ def placed_callouts(document: Document, places: Sequence[Point], cover: Cover) -
         yield Callout(x, y, box, head, line, near if far else None)
 
 
-def _clipped(text: str, size: float, bold: bool, scale: float = 1.0) -> str:
-    while len(text) > 2 and text_width(text, size, bold) > WIDEST_CALLOUT * scale:
+def clipped(text: str, size: float, bold: bool = False, widest: float = WIDEST_CALLOUT) -> str:
+    """Return a text, shortened if it is too wide.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    size : float
+        Of its type, in pixels.
+    bold : bool
+        Whether it is bold.
+    widest : float
+        Greatest width, in pixels.
+
+    Returns
+    -------
+    str
+        It ends in an ellipsis if something is missing.
+    """
+    while len(text) > 2 and text_width(text, size, bold) > widest:
         text = text[: max(1, int(len(text) * 0.9) - 1)].rstrip("\u2026 ") + "\u2026"
     return text
 
@@ -120,7 +138,7 @@ def placed_names(
     for (_, _, name, rank), (x, y) in zip(document.towns, places, strict=True):
         if rank > 1 or not (0 < x < cover.width and 0 < y < cover.height):
             continue
-        text = _clipped(name, size, False, scale)
+        text = clipped(name, size, widest=WIDEST_CALLOUT * scale)
         width = text_width(text, size)
         # A blank margin round the text keeps names apart, a wide one thins out lesser towns.
         gap = (24 if rank else 8) * scale
@@ -137,6 +155,9 @@ def placed_names(
             (Box(x - wide - 2, y - high / 2, wide, high), 1.0),
             (Box(left, y - high - 12 * scale, wide, high), 1.5),
             (Box(left, y + 12 * scale, wide, high), 1.5),
+            # Clear of a mark in the middle of the town.
+            (Box(left, y - high - 18 * scale, wide, high), 2.0),
+            (Box(left, y + 18 * scale, wide, high), 2.0),
         )
         # Large names may touch a line, or hardly any would find a place.
         box = cover.place(spots, 8.0 if scale == 1 else 16.0 * scale)

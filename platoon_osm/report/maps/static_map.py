@@ -14,7 +14,7 @@ from .map_texts import NAME_SIZE, Callout, placed_callouts, placed_names
 from .map_view import MapView
 from .pixels import DrawnLine, lines_along, network_path, path_of
 from .placement import Box, Cover
-from .static_marks import placed_marks
+from .static_marks import mark_pieces, placed_marks
 
 __all__ = ["NARROW", "small_maps", "static_map", "static_texts", "town_names"]
 
@@ -159,19 +159,20 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
         lines_along(roads, strip.asides, strip.offsets)
         for roads, strip in zip(band_roads, bands, strict=True)
     ]
-    marks, larger = placed_marks(document, places), placed_marks(document, places, large)
+    marks, larger = placed_marks(document, view), placed_marks(document, view, large)
     length = round_below(120 * view.metres_per_pixel)
     width = length / view.metres_per_pixel
     cover = Cover(view.width, view.height)
     cover.add_lines([line.points for line in solo_lines])
     cover.add_lines([line.points for _, *lanes in band_lines for line in lanes], weight=4)
     narrow = cover.copy()
-    narrow.add_boxes(larger.boxes)
-    cover.add_boxes(marks.boxes)
+    narrow.add_boxes(mark.box for mark in larger)
+    cover.add_boxes(mark.box for mark in marks)
     if whole:
         cover.add_boxes([Box(4, view.height - 32, width + 20, 30)])
     # Callouts choose their place before names do: they matter more.
-    callouts = list(placed_callouts(document, marks.events, cover)) if whole else []
+    events = [(mark.x, mark.y) for mark in marks if mark.is_event]
+    callouts = list(placed_callouts(document, events, cover)) if whole else []
     names = list(placed_names(document, places.towns, cover))
     larger_names = list(placed_names(document, places.towns, narrow, large))
     found: dict[str, Tree] = {
@@ -184,10 +185,10 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
             ),
         ),
         "wide": static_texts(
-            "wide", town_names(names), tuple(marks.pieces), tuple(map(_callout, callouts))
+            "wide", town_names(names), tuple(mark_pieces(marks)), tuple(map(_callout, callouts))
         ),
         "narrow": static_texts(
-            "narrow", town_names(larger_names, large), tuple(larger.pieces), scale=large
+            "narrow", town_names(larger_names, large), tuple(mark_pieces(larger)), scale=large
         ),
     }
     if whole:

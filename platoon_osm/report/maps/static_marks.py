@@ -1,10 +1,14 @@
-"""Marks on a still map: starts, destinations, merges and separations, clear of one another."""
+"""Marks on a still map: starts, destinations, merges and separations, clear of one another.
+
+No mark covers another as long as there is room within reach of its place: some hundred places are
+tried round it, near ones first. Where all of them are taken, it stands where it belongs.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from ..document.model import Document
 from ..document.model_vehicle import Stop, Vehicle
@@ -13,46 +17,83 @@ from ..drawing.lines import Point
 from ..drawing.palette import CROWD as CROWD_COLOUR
 from ..drawing.vehicle_styles import letter_size
 from ..markup.fragments import Piece
-from .map_view import Places
+from .map_view import MapView
 from .placement import Box
 
-__all__ = ["Marks", "placed_marks"]
+__all__ = ["Mark", "mark_pieces", "placed_marks"]
 
 MOST_ENDS = 3
 """More ends than this on one spot become one mark that counts them; in a crowd, any two near."""
 
-NEAR, APART = 18.0, 19.0
-"""Ends this near are one place in a crowd; marks this far apart do not touch, in pixels."""
+NEAR = 18.0
+"""Ends this near are one place in a crowd, in pixels."""
+
+END_HALF, EVENT_HALF = 10.3, 12.5
+"""Half of what a mark covers, its rim included, in pixels."""
 
 FAR = 15.0
 """A mark moved further than this is tied to its place by a line."""
 
+BESIDE = 21.0
+"""How far from each other the ends of several vehicles on one spot stand, in pixels."""
+
 # Places round a spot in pixels, near ones first; sideways before up and down.
 _FAN = sorted(
-    ((x, y) for x in range(-60, 61, 12) for y in (-40, -20, 0, 20, 40)),
+    ((x, y) for x in range(-132, 133, 12) for y in range(-100, 101, 20)),
     key=lambda move: (math.hypot(move[0], 1.3 * move[1]), move),
 )
 
 
-class Marks(NamedTuple):
-    """The marks of a drawing.
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A mark, and where it stands.
 
     Attributes
     ----------
-    pieces : list of Piece
-        As they are drawn, those of events last, so that they lie on top.
-    boxes : list of Box
-        The room they take.
-    events : list of tuple of float
-        Where the mark of each event stands, in pixels.
+    kind : {"merge", "separation", "start", "end"}
+        What is there.
+    x, y : float
+        Its middle, in pixels.
+    spot : tuple of float
+        Where it belongs.
+    half : float
+        Half of its width and height.
+    title : str
+        What it says of itself.
+    colour, letter : str
+        Of the vehicle; empty for merges and separations.
+    scale : float
+        How much larger than common it is drawn.
     """
 
-    pieces: list[Piece]
-    boxes: list[Box]
-    events: list[Point]
+    kind: str
+    x: float
+    y: float
+    spot: Point
+    half: float
+    title: str
+    colour: str = ""
+    letter: str = ""
+    scale: float = 1.0
+
+    @property
+    def box(self) -> Box:
+        """The room it takes."""
+        return Box(self.x - self.half, self.y - self.half, 2 * self.half, 2 * self.half)
+
+    @property
+    def is_tied(self) -> bool:
+        """Whether it stands so far from its place that a line ties it there."""
+        far = math.hypot(self.x - self.spot[0], self.y - self.spot[1])
+        return far > FAR * self.scale * 1.5
+
+    @property
+    def is_event(self) -> bool:
+        """Whether vehicles merge or separate there."""
+        return self.kind in ("merge", "separation")
 
 
-def placed_marks(document: Document, places: Places, scale: float = 1.0) -> Marks:
+def placed_marks(document: Document, view: MapView, scale: float = 1.0) -> list[Mark]:
     """Place all marks.
 
     Merges and separations are placed first, so that they stand where they are.
@@ -61,43 +102,28 @@ def placed_marks(document: Document, places: Places, scale: float = 1.0) -> Mark
     ----------
     document : Document
         Whose marks they are.
-    places : Places
-        Where on the drawing they belong.
+    view : MapView
+        The drawing.
     scale : float
         How much larger than common they are.
 
     Returns
     -------
-    Marks
-        None touching another, as far as there is room.
+    list of Mark
+        Those of events first, in their order; none covers another, as far as there is room.
     """
-    taken: list[Point] = []
-    for x, y in places.events:
-        _beside(x, y, taken, scale)
-    stand = list(taken)
-    pieces: list[Piece] = []
-    boxes: list[Box] = []
-    events: list[Piece] = []
-    for event, (x, y), (left, top) in zip(document.events, places.events, stand, strict=True):
-        boxes.append(_box(left, top, 12 * scale))
-        pieces.extend(_tie(x, y, left, top, scale))
-        events.append(
-            Piece(
-                "static-event",
-                {
-                    "x": f"{left:.1f}",
-                    "y": f"{top:.1f}",
-                    "scale": f"{scale:g}",
-                    "icon": event.kind,
-                    "title": f"{event.name}: {event.text}",
-                },
-            )
-        )
-    for end, fragment, word in (
-        ("origin", "static-start", "from"),
-        ("destination", "static-end", "to"),
-    ):
-        for (x, y), vehicles in _spots(document, end, places, scale):
+    places = view.places(document)
+    marks: list[Mark] = []
+    for event, spot in zip(document.events, places.events, strict=True):
+        x, y = _beside(*spot, EVENT_HALF * scale, marks, view, scale)
+        title = f"{event.name}: {event.text}"
+        marks.append(Mark(event.kind, x, y, spot, EVENT_HALF * scale, title, scale=scale))
+    ends = (
+        ("start", "origin", "from", places.origins),
+        ("end", "destination", "to", places.destinations),
+    )
+    for kind, end, word, spots in ends:
+        for spot, vehicles in _spots(document, spots, scale):
             names = ", ".join(dict.fromkeys(_end(vehicle, end).name for vehicle in vehicles))
             letters = ", ".join(vehicle.letter for vehicle in vehicles)
             most = 1 if len(document.vehicles) > CROWD else MOST_ENDS
@@ -105,50 +131,70 @@ def placed_marks(document: Document, places: Places, scale: float = 1.0) -> Mark
             if len(vehicles) > most:
                 faces = [(CROWD_COLOUR, f"{len(vehicles)}\u00d7")]
             for place, (colour, letter) in enumerate(faces):
-                beside = x + 21 * scale * (place - (len(faces) - 1) / 2)
-                left, top = _beside(beside, y, taken, scale)
-                boxes.append(_box(left, top, 10 * scale))
-                pieces.extend(_tie(x, y, left, top, scale))
-                pieces.append(
-                    Piece(
-                        fragment,
-                        {
-                            "x": f"{left:.1f}",
-                            "y": f"{top:.1f}",
-                            "scale": f"{scale:g}",
-                            "colour": colour,
-                            "letter": letter,
-                            "size": letter_size(letter),
-                            "title": f"{letters} {word} {names}",
-                        },
-                    )
-                )
-    return Marks([*pieces, *events], boxes, stand)
+                beside = spot[0] + BESIDE * scale * (place - (len(faces) - 1) / 2)
+                x, y = _beside(beside, spot[1], END_HALF * scale, marks, view, scale)
+                title = f"{letters} {word} {names}"
+                marks.append(Mark(kind, x, y, spot, END_HALF * scale, title, colour, letter, scale))
+    return marks
+
+
+def mark_pieces(marks: list[Mark]) -> list[Piece]:
+    """Return marks as they are drawn, those of events last, so that they lie on top.
+
+    Parameters
+    ----------
+    marks : list of Mark
+        Of `placed_marks`.
+
+    Returns
+    -------
+    list of Piece
+        Each, after the line that ties it to its place.
+    """
+    below = [mark for mark in marks if not mark.is_event]
+    above = [mark for mark in marks if mark.is_event]
+    return [
+        *(tie for mark in above for tie in _tie(mark)),
+        *(piece for mark in below for piece in (*_tie(mark), _piece(mark))),
+        *map(_piece, above),
+    ]
+
+
+def _piece(mark: Mark) -> Piece:
+    common = {"x": f"{mark.x:.1f}", "y": f"{mark.y:.1f}", "scale": f"{mark.scale:g}"}
+    if mark.is_event:
+        return Piece("static-event", {**common, "icon": mark.kind, "title": mark.title})
+    return Piece(
+        f"static-{mark.kind}",
+        {
+            **common,
+            "colour": mark.colour,
+            "letter": mark.letter,
+            "size": letter_size(mark.letter),
+            "title": mark.title,
+        },
+    )
+
+
+def _tie(mark: Mark) -> Iterator[Piece]:
+    if mark.is_tied:
+        x, y = mark.spot
+        yield Piece(
+            "static-leader",
+            {"x1": f"{x:.1f}", "y1": f"{y:.1f}", "x2": f"{mark.x:.1f}", "y2": f"{mark.y:.1f}"},
+        )
 
 
 def _end(vehicle: Vehicle, end: str) -> Stop:
     return vehicle.origin if end == "origin" else vehicle.destination
 
 
-def _box(x: float, y: float, half: float) -> Box:
-    return Box(x - half, y - half, 2 * half, 2 * half)
-
-
-def _tie(x: float, y: float, left: float, top: float, scale: float) -> Iterator[Piece]:
-    if math.hypot(left - x, top - y) > FAR * scale * 1.5:
-        yield Piece(
-            "static-leader",
-            {"x1": f"{x:.1f}", "y1": f"{y:.1f}", "x2": f"{left:.1f}", "y2": f"{top:.1f}"},
-        )
-
-
 def _spots(
-    document: Document, end: str, places: Places, scale: float
+    document: Document, spots: list[Point], scale: float
 ) -> list[tuple[Point, list[Vehicle]]]:
     """Return who starts or ends on one spot; in a crowd, near one another."""
     reach = NEAR * scale if len(document.vehicles) > CROWD else 0.01
     found: list[tuple[Point, list[Vehicle]]] = []
-    spots = places.origins if end == "origin" else places.destinations
     for vehicle, at in zip(document.vehicles, spots, strict=True):
         near = next((who for spot, who in found if math.dist(spot, at) < reach), None)
         if near is None:
@@ -158,19 +204,16 @@ def _spots(
     return found
 
 
-def _beside(x: float, y: float, taken: list[Point], scale: float) -> Point:
+def _beside(
+    x: float, y: float, half: float, marks: list[Mark], view: MapView, scale: float
+) -> Point:
     """Return where a mark near (x, y) covers none before it; where it is, if all is taken."""
-    room = APART * scale
-    place = next(
-        (
-            (x + right * scale, y + down * scale)
-            for right, down in _FAN
-            if all(
-                abs(x + right * scale - a) > room or abs(y + down * scale - b) > room
-                for a, b in taken
-            )
-        ),
-        (x, y),
-    )
-    taken.append(place)
-    return place
+    for right, down in _FAN:
+        a, b = x + right * scale, y + down * scale
+        inside = half <= a <= view.width - half and half <= b <= view.height - half
+        if inside and all(
+            abs(a - mark.x) >= half + mark.half or abs(b - mark.y) >= half + mark.half
+            for mark in marks
+        ):
+            return a, b
+    return x, y
