@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +13,9 @@ from .objective import Objective, edge_weights
 from .weights import EdgeWeights
 
 __all__ = ["placed_weights"]
+
+IN_COMPANY = ("platoon", "master", "middle", "last")
+"""Weights of company: on a way beside the road nobody has any."""
 
 
 def placed_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: str) -> EdgeWeights:
@@ -45,20 +49,23 @@ def placed_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: 
     way = net.below_edge < 0
     if not isinstance(objective, EdgeWeights):
         found = edge_weights(objective, net, where)
-        solo = found.solo
-        platoon, master = (np.where(way, solo, own) for own in (found.platoon, found.master))
-        return replace(found, platoon=platoon, master=master)
+        alone: dict[str, Any] = {
+            name: np.where(way, found.solo, own)
+            for name in IN_COMPANY
+            if (own := getattr(found, name)) is not None
+        }
+        return replace(found, **alone)
     own = edge_weights(objective, net.below, where)
     share = net.ends - net.begins
-    solo, platoon, master = (
-        np.where(way, 0.0, weight[net.below_edge] * share)
-        for weight in (own.solo, own.platoon, own.master)
-    )
+    beside = np.zeros(net.m)
     for edge in np.flatnonzero(way).tolist():
-        cost = _solo_per_metre(net, own, edge) * float(net.length_m[edge])
-        solo[edge] = platoon[edge] = master[edge] = cost
-    identity = net.identity() if own.network else ""
-    return replace(own, solo=solo, platoon=platoon, master=master, network=identity)
+        beside[edge] = _solo_per_metre(net, own, edge) * float(net.length_m[edge])
+    carried: dict[str, Any] = {
+        name: np.where(way, beside, weight[net.below_edge] * share)
+        for name in ("solo", *IN_COMPANY)
+        if (weight := getattr(own, name)) is not None
+    }
+    return replace(own, **carried, network=net.identity() if own.network else "")
 
 
 def _solo_per_metre(net: PlacedNetwork, own: EdgeWeights, edge: int) -> float:

@@ -73,6 +73,23 @@ def test_a_member_is_planned_with_the_dearer_place():
         EdgeWeights(solo, solo * 0.5, solo, "m", {}, middle=solo * 0.6)
 
 
+@pytest.mark.parametrize("given", ["weights", "objective"])
+def test_places_between_junctions_know_positions_too(given):
+    net, _ = in_a_row(3)
+    costs = PaperCosts(tau=1.0, xi=1.0, positions="plafosim")
+    # A quarter along the road, and a place beside it.
+    lon = [float(net.lon[0] + (net.lon[1] - net.lon[0]) * share) for share in (0.25, 0.5)]
+    lat = [float(net.lat[0] + (net.lat[1] - net.lat[0]) * share) for share in (0.25, 0.5)]
+    trips = [
+        Trip("A", 0, 1), Trip("B", (lon[0], lat[0]), 1), Trip("C", (lon[1], lat[1] + 0.05), 1)
+    ]  # fmt: skip
+    plan = plan_joint(net, costs.weights(net) if given == "weights" else costs, trips, "C")
+    (three,) = [stretch for stretch in plan.stretches if len(stretch.vehicles) == 3]
+    for share, place in zip(three.shares, ("leader", "middle", "last"), strict=True):
+        assert share.cost == pytest.approx(three.length_m * (3 - SAVED[place]))
+    assert plan.proof.cost == pytest.approx(plan.joint_cost)
+
+
 def paid(net, weights, route, members, points):
     """What all pay if members join the master's route at some points, by hand, edge by edge."""
     engine = ReferenceEngine(net, weights.solo)

@@ -81,9 +81,9 @@ def test_nothing_covers_anything_on_the_figure(documents: list[Document]) -> Non
         tied += sum(mark.is_tied for mark in layout.marks)
         assert len([mark for mark in layout.marks if mark.is_event]) == len(document.events)
         marks += len(layout.marks)
-    # Most events have their callout, and most marks stand where they belong.
+    # Most events have their callout, and marks are moved where towns are crowded only.
     assert callouts > 0.6 * events
-    assert 0 < tied < 0.5 * marks
+    assert 0 < tied < 0.7 * marks
 
 
 @pytest.mark.parametrize("scale", [1.0, NARROW])

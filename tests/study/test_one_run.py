@@ -7,9 +7,13 @@ from hand_made import KM, ramps
 from platoon_osm.costs.fatigue import fatigue_heuristic
 from platoon_osm.costs.paper import paper_weights
 from platoon_osm.planning.cases import plan_members
+from platoon_osm.planning.ends import TripEnds
 from platoon_osm.planning.joint import plan_joint
+from platoon_osm.planning.routers import DijkstraRouter
+from platoon_osm.planning.star import Star
 from platoon_osm.plans.trip import Trip
 from platoon_osm.search.dijkstra import ReferenceEngine
+from platoon_osm.search.trees import Trees
 from platoon_osm.study.one_run import (
     DRIVES_AFTER,
     DRIVES_BEFORE,
@@ -112,7 +116,7 @@ def test_the_grid_is_the_planner_run_point_by_point(case, mixing):
     assert joined > 0
 
 
-def test_a_run_is_a_joint_plan_by_dijkstra():
+def test_a_run_is_the_star_of_its_longest_route_and_a_joint_plan_is_no_dearer():
     study = Study(tau=(1.0,), xi=(0.18,), points=(), mixings=("printed",))
     draw = study.network.draw(np.random.default_rng(11))
     found = plan_draw(study, study.factors(), draw)
@@ -121,9 +125,20 @@ def test_a_run_is_a_joint_plan_by_dijkstra():
         for k, (o, g) in enumerate(zip(draw.origins, draw.destinations, strict=True))
     ]
     weights = paper_weights(draw.net, tau=1.0, xi=0.18)
-    whole = plan_joint(draw.net, weights, trips, "C")
     ours = found["joint_cost"][0, :, 0]
-    assert ours == pytest.approx([vehicle.joint_cost for vehicle in whole.vehicles], rel=1e-9)
+    router = DijkstraRouter(Trees(ReferenceEngine(draw.net, weights.solo)))
+    ends = [
+        TripEnds(trip.vehicle, o, g, frozenset([o]), frozenset([g]), "", "")
+        for trip, o, g in zip(trips, draw.origins.tolist(), draw.destinations.tolist(), strict=True)
+    ]
+    star = Star(draw.net, weights, ends, int(found["master"]), router)
+    choice = star.choose("C", "member")
+    assert ours[star.members] == pytest.approx(choice.points.cost, rel=1e-9)
+    assert ours.sum() == pytest.approx(choice.cost, rel=1e-9)
+    # The planner counts company off the master's route too, and lets others lead.
+    for master in ("longest", None):
+        whole = plan_joint(draw.net, weights, trips, "C", master=master)
+        assert whole.joint_cost <= ours.sum() * (1 + 1e-9)
 
 
 def test_astar_pairs_are_searched_one_by_one():
