@@ -21,10 +21,13 @@ from .star import Star, StarChoice
 __all__ = ["Tried", "candidates", "fixed_master"]
 
 FULLY_TRIED = 12
-"""Up to so many vehicles each one's star is completed and improved."""
+"""Up to so many vehicles nobody is skipped, and each one's star is completed and improved."""
 
-MOST_COMPLETED = 3
-"""With more, only the cheapest stars are."""
+MOST_NODES = 5_000
+"""On larger networks only the cheapest stars are completed, for every turn is a search."""
+
+MOST_COMPLETED = 2
+"""How many stars are completed where there are many vehicles or nodes."""
 
 MOST_UNBOUNDED = 16
 """Masters tried where the costs of all routes do not fit into memory at once."""
@@ -146,13 +149,14 @@ def _try_stars(question: Question, masters: Sequence[int], found: Tried) -> None
     # Of equally good ones that of the longest route, as the paper has it.
     order = {vehicle: rank for rank, vehicle in enumerate(masters)}
     planned.sort(key=lambda one: (one[0], order[one[2].master]))
-    if not skips:
+    every = not skips and question.net.n <= MOST_NODES
+    if every:
         planned.sort(key=lambda one: order[one[2].master])
     for rank, (_, _, star, choices) in enumerate(planned):
         answer = of_star(question, star, choices)
         if answer is None:
             continue
-        if not skips or rank < MOST_COMPLETED:
+        if every or rank < MOST_COMPLETED:
             answer = improved(question, answer, fixed and question.problem.master is not None)
         found.answers.append(answer)
     found.compared, found.blind = len(stars), min(best, found.blind)

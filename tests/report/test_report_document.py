@@ -194,8 +194,8 @@ def test_credits(source: Source, credits: list[str]) -> None:
 @pytest.mark.parametrize(
     ("proof", "text"),
     [
-        ({"kind": "exact", "conditions": ["a", "b"]}, "Proved optimal: a; b."),
-        ({"kind": "exact"}, "Proved optimal."),
+        ({"kind": "exact", "conditions": ["a", "b"]}, "Proved optimal for: a; b."),
+        ({"kind": "exact"}, "Proved optimal for these trips."),
         (
             {"kind": "bound", "bound": 2000.0, "gap": 0.0125},
             "Bound: at most 1.2\u202f% above the optimum; "

@@ -224,7 +224,7 @@ def test_lateness_is_said(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> 
     text = (tmp_path / "late.html").read_text(encoding="utf-8")
     assert "Too late, at best: A by 57 min." in text
     assert "Not feasible in time. Late, at best: A by 57 min." in text
-    assert "not feasible in time: late are at best A by 57 min" in text
+    assert "not feasible in time: late even alone: A by 57 min" in text
 
 
 @pytest.mark.parametrize("start", range(0, len(HOSTILE), 24))

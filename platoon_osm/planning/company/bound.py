@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
-from ...search.dijkstra import ReferenceEngine
+from ...search.changing_weights import ChangingWeights
 
 __all__ = ["least_total"]
 
 Floats = NDArray[np.float64]
 
 ROUNDS = 2
-MOST_ROWS = 4_000_000
+MOST_ROWS = 200_000
 """Nodes times vehicles up to which the room for detours is looked at; beyond it is not."""
 
 HAIR = 1e-11
@@ -64,7 +64,7 @@ def least_total(
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = np.where(weights.solo > 0, least / weights.solo, 1.0).min(initial=1.0)
     bounds = alone * float(ratio)
-    if len(ends) * net.n <= MOST_ROWS and len(ends) * net.m <= 4 * MOST_ROWS:
+    if len(ends) * net.n <= MOST_ROWS:
         own = [least] * len(ends)
         for _ in range(ROUNDS):
             there, onward = _both_ways(net, own, ends)
@@ -80,10 +80,8 @@ def least_total(
             )
             users = can_be.sum(axis=0)
             own = [np.where(users - mine > 0, least, weights.solo) for mine in can_be]
-        there = [
-            ReferenceEngine(net, weight).distances([start])[0]
-            for weight, (start, _) in zip(own, ends, strict=True)
-        ]
+        search = net.attached(ChangingWeights).search
+        there = [search(weight, start).dist for weight, (start, _) in zip(own, ends, strict=True)]
         bounds = np.maximum(bounds, [row[end] for row, (_, end) in zip(there, ends, strict=True)])
     return min(float(bounds.sum()) * (1 - HAIR), cost)
 
@@ -92,10 +90,8 @@ def _both_ways(
     net: RoadNetwork, own: Sequence[Floats], ends: Sequence[tuple[int, int]]
 ) -> tuple[list[Floats], list[Floats]]:
     """Return least costs from each origin, and to each destination, under each one's weight."""
-    engines: dict[int, ReferenceEngine] = {}
-    there, onward = [], []
-    for weight, (start, end) in zip(own, ends, strict=True):
-        engine = engines.setdefault(id(weight), ReferenceEngine(net, weight))
-        there.append(engine.distances([start])[0])
-        onward.append(engine.distances([end], forward=False)[0])
+    search = net.attached(ChangingWeights).search
+    pairs = list(zip(own, ends, strict=True))
+    there = [search(weight, start).dist for weight, (start, _) in pairs]
+    onward = [search(weight, end, forward=False).dist for weight, (_, end) in pairs]
     return there, onward

@@ -97,7 +97,7 @@ def _lateness(plan: Plan, timetable: Timetable) -> Iterator[str]:
             (alone if late_alone else joined).append(f"{times.vehicle} by {late_by(times.late_s)}")
     if alone:
         yield (
-            f"not feasible in time: late even alone are {listed(alone)}; give earlier departures "
+            f"not feasible in time: late even alone: {listed(alone)}; give earlier departures "
             "or later arrivals"
         )
     if joined:

@@ -107,7 +107,7 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
     solo_excess, any_plan = _number(proof, "solo_excess"), _number(proof, "any_plan")
     parts: list[str] = []
     if kind == "exact":
-        parts.append("Proved optimal for")
+        parts.append("Proved optimal for" if conditions else "Proved optimal for these trips")
     elif kind:
         parts.append(kind[:1].upper() + kind[1:])
     if gap is not None:

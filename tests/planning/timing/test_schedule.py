@@ -507,5 +507,5 @@ def test_a_plan_that_cannot_be_in_time_says_by_how_much():
     trips = [Trip("A", 0, 3, at(360), None, at(370)), Trip("B", 4, 5, at(350))]
     plan = plan_joint(net, paper_weights(net), trips, "C", master="A")
     assert not plan.timetable.feasible
-    assert plan.remarks[-1].startswith("not feasible in time: late even alone are A by 13 min")
+    assert plan.remarks[-1].startswith("not feasible in time: late even alone: A by 13 min")
     assert "Note: not feasible in time" in plan.summary()
