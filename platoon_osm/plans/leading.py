@@ -40,6 +40,7 @@ def leading_text(plan: Plan) -> str:
     level = others[0].cost * (1 + SAME)
     same = [one for one in others if one.cost <= level]
     names = listed([plan.trips[one.vehicle].vehicle for one in same])
+    names = f"any of {names}" if len(same) > 1 else names
     gives = (
         "the same" if level >= plan.joint_cost >= level * (1 - 3 * SAME) else _saving(plan, same)
     )

@@ -2,8 +2,9 @@
 
 Routes are given; only companies are formed. Where waiting is free, or the limits of time allow it,
 all that drive an edge drive it together. If that cannot be for the whole plan (the limits, a
-largest platoon, or a circle of vehicles that wait for each other), shared runs are joined one after
-another, those that save most first.
+largest platoon, or a circle of vehicles that wait for each other), one vehicle after another joins
+those on its way, the longest route first; then shared runs of two are joined, those that save most
+first.
 """
 
 from __future__ import annotations
@@ -21,8 +22,8 @@ __all__ = ["side_by_side"]
 
 Allowed = Callable[[Draft], bool]
 
-MOST_RUNS = 400
-"""Shared runs that are tried one by one; beyond, a plan of hundreds would take minutes."""
+MOST_STEPS = 750_000
+"""Edges looked at in what is tried one by one; without it a plan of hundreds would take minutes."""
 
 
 def side_by_side(
@@ -68,20 +69,50 @@ def side_by_side(
         })  # fmt: skip
         if float(every.costs(weights).sum()) < cost and allowed(every):
             return every
-    for run in _runs(draft, where, weights, set(shared))[:MOST_RUNS]:
-        first, second, edges = run
+    tries = MOST_STEPS // max(sum(map(len, draft.routes)), 1)
+
+    def tried(together: dict[int, list[int]]) -> None:
+        nonlocal draft, cost, tries
+        if not together or tries < 1:
+            return
+        tries -= 1
+        trial = _joined(draft, where, order, together)
+        new = float(trial.costs(weights).sum())
+        if new < cost and allowed(trial):
+            draft, cost = trial, new
+
+    for vehicle in sorted(range(len(where)), key=lambda one: -len(draft.routes[one])):
+        if tries < 1:
+            return draft
+        tried(_on_its_way(draft, where, vehicle, set(shared), most))
+    for first, second, edges in _runs(draft, where, weights, set(shared)):
+        if tries < 1:
+            return draft
         together: dict[int, list[int]] = {}
         for edge in edges:
             own, other = (_company(draft, where, one, edge) for one in (first, second))
             if own != other and (most is None or len(own) + len(other) <= most):
                 together[edge] = [*own, *other]
-        if not together:
-            continue
-        trial = _joined(draft, where, order, together)
-        new = float(trial.costs(weights).sum())
-        if new < cost and allowed(trial):
-            draft, cost = trial, new
+        tried(together)
     return draft
+
+
+def _on_its_way(
+    draft: Draft, where: list[dict[int, int]], vehicle: int, shared: set[int], most: int | None
+) -> dict[int, list[int]]:
+    """Return with whom a vehicle would drive each edge if it joined the largest company there."""
+    there = draft.on_edges()
+    found: dict[int, list[int]] = {}
+    for edge in shared & set(where[vehicle]):
+        own = _company(draft, where, vehicle, edge)
+        others = [
+            other
+            for other in there[edge]
+            if other != own and (most is None or len(own) + len(other) <= most)
+        ]
+        if others:
+            found[edge] = [*own, *max(others, key=len)]
+    return found
 
 
 def _positions(draft: Draft) -> list[dict[int, int]]:

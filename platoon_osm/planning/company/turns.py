@@ -24,6 +24,9 @@ Allowed = Callable[[Draft], bool]
 Edges = NDArray[np.int64]
 
 MOST_ROUNDS = 20
+LOOKS = 4
+"""How often a turn looks at every edge that is driven."""
+
 MOST_STEPS = 3_000_000
 """Nodes searched and edges looked at before the turns stop, about a second's work."""
 
@@ -75,7 +78,7 @@ def improved_in_turns(
     for vehicle in turns:
         if quiet == len(movable) or steps > MOST_STEPS:
             break
-        steps += net.n + slots
+        steps += net.n + LOOKS * slots
         found = _turn(net, draft, weights, order, most, vehicle, ends[vehicle])
         quiet += 1
         for trial in found:

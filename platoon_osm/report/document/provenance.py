@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
 from ...plans.credits import credits_of
+from ...plans.leading import leading_text
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
 from ..markup.quantities import CostUnit, percent
@@ -51,7 +52,8 @@ def provenance(plan: Plan, net: RoadNetwork, unit: CostUnit) -> Provenance:
         ("Costs", ", ".join(_parameters(plan.params))),
         ("Made by", f"platoon_osm {plan.version}".strip()),
     )
-    proof = proof_text(plan.proof, unit)
+    told = (fitted(leading_text(plan)), proof_text(plan.proof, unit))
+    proof = " ".join(text for text in told if text)
     return Provenance(
         rows=tuple(LabelledText(label, fitted(text)) for label, text in rows if text),
         proof=fitted(proof),
