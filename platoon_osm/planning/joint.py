@@ -220,9 +220,7 @@ def _by_astar(question: Question) -> Plan:
     runs = star.routes(choice.points)
     answer = Answer(Draft.of(runs), Draft.of(runs).costs(weights), choice.case, master, None)
     question.alone = star.alone
-    return _written(
-        question, runs, choice.case, master, proof, reasons_alone(question, answer, choice.points)
-    )
+    return _written(question, runs, choice.case, master, proof, reasons_alone(question, answer))
 
 
 def _cheapest(choices: list[StarChoice]) -> StarChoice:

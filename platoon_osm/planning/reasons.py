@@ -5,16 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from .answers import Answer
-from .cases import MemberPlans
 from .masters import fixed_master
 from .question import Question
+from .star import Star
 
 __all__ = ["reasons_alone"]
 
 
-def reasons_alone(
-    question: Question, answer: Answer, points: MemberPlans | None = None
-) -> list[str]:
+def reasons_alone(question: Question, answer: Answer) -> list[str]:
     """Return why each vehicle drives alone.
 
     Parameters
@@ -23,8 +21,6 @@ def reasons_alone(
         What was asked.
     answer : Answer
         What was chosen.
-    points : MemberPlans, optional
-        The members' points, where they tell whether the case can apply.
 
     Returns
     -------
@@ -33,15 +29,30 @@ def reasons_alone(
     """
     names = [item.vehicle for item in question.ends]
     reasons = [""] * len(names)
+    blind = _would_join(question, answer)
     for index, own in enumerate(answer.draft.companies):
         if index == answer.master or any(len(company) > 1 for company in own):
             continue
-        reasons[index] = _reason(question, answer, index, names)
-    del points
+        reasons[index] = _reason(question, answer, index, names, index in blind)
     return reasons
 
 
-def _reason(question: Question, answer: Answer, index: int, names: list[str]) -> str:
+def _would_join(question: Question, answer: Answer) -> set[int]:
+    """Return who would join the master if there were no clock; nobody where there is none."""
+    if question.windows is None or answer.master is None or question.problem.method != "dijkstra":
+        return set()
+    star = Star(
+        question.net, question.weights, question.ends, answer.master, question.router,
+        question.alone, question.join_costs,
+    )  # fmt: skip
+    asked = question.problem.case
+    points = star.choose("C" if asked == "best" else asked, "member").points
+    return {star.members[k] for k in np.flatnonzero(points.merge_index >= 0).tolist()}
+
+
+def _reason(
+    question: Question, answer: Answer, index: int, names: list[str], would_join: bool
+) -> str:
     master = answer.master
     if master is None:
         return f"driving alone costs less than any way with {names[1 - index]}"
@@ -49,10 +60,10 @@ def _reason(question: Question, answer: Answer, index: int, names: list[str]) ->
     if asked in ("A", "B") and not _applies(question, asked, index, master):
         end = "destination" if asked == "A" else "origin"
         return f"case {asked} does not apply: its {end} is not on the route of {names[master]}"
-    clock = question.windows is not None
-    bounds = ", or the clock forbids them" if clock else ""
-    if question.problem.max_platoon is not None:
-        bounds += f", or platoons of {question.problem.max_platoon} are full"
+    if would_join:
+        return f"the clock forbids what it could save with {names[master]}"
+    most = question.problem.max_platoon
+    bounds = "" if most is None else f", or platoons of {most} are full"
     if len(names) == 2 or fixed_master(question) is not None:
         return f"driving alone costs less than any way with {names[master]}{bounds}"
     return f"driving alone costs less than any company that was found{bounds}"

@@ -173,10 +173,15 @@ def test_with_many_vehicles_those_that_cannot_win_are_skipped(monkeypatch):
 
 
 @SOME
-@given(problems(), st.integers(2, 3), st.sampled_from(["A", "B", "C", "best"]))
-def test_no_platoon_is_larger_than_allowed(problem, most, case):
+@given(
+    problems(),
+    st.integers(2, 3),
+    st.sampled_from(["A", "B", "C", "best"]),
+    st.sampled_from(["member", "system"]),
+)
+def test_no_platoon_is_larger_than_allowed(problem, most, case, objective):
     net, weights, trips = problem
-    plan = plan_joint(net, weights, trips, case, max_platoon=most)
+    plan = plan_joint(net, weights, trips, case, max_platoon=most, objective=objective)
     assert max(len(stretch.vehicles) for stretch in plan.stretches) <= most
     assert plan.joint_cost <= plan.solo_cost * (1 + 1e-9)
     assert plan.proof.any_plan <= plan.joint_cost

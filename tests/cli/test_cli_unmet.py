@@ -1,0 +1,79 @@
+"""What cannot be as it was asked ends with status 1, said in one line on standard error."""
+
+from pathlib import Path
+
+import pytest
+from command_line import run
+
+LATE = """network = "italy-motorways"
+case = "C"
+[[trips]]
+vehicle = "A"
+origin = "Milano"
+destination = "Napoli"
+earliest_departure = 2026-03-02T06:00:00
+latest_arrival = 2026-03-02T{arrival}:00:00
+[[trips]]
+vehicle = "B"
+origin = "Torino"
+destination = "Roma"
+"""
+
+
+@pytest.fixture(autouse=True)
+def _inside(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+
+
+def test_who_must_be_late_even_alone_is_told_and_everything_is_written(capsys):
+    Path("late.toml").write_text(LATE.format(arrival=12))
+    status = run("plan", "late.toml", "--json", "late.json")
+    out, err = capsys.readouterr()
+    assert status == 1
+    assert err.splitlines()[-1].startswith(
+        "platoon-osm: not feasible in time: late even alone: A by"
+    )
+    assert "A  " in out
+    assert Path("late.json").is_file()
+    status = run("compare", "late.toml", "--cases", "A,C", "-o", "both.html")
+    assert status == 1
+    assert capsys.readouterr().err.count("late even alone: A") == 1
+    assert Path("both.html").is_file()
+
+
+def test_who_is_in_time_ends_with_0(capsys):
+    Path("fine.toml").write_text(LATE.format(arrival=18))
+    assert run("plan", "fine.toml") == 0
+    assert "not feasible" not in capsys.readouterr().err
+
+
+def test_the_rules_of_company_come_from_options_and_from_the_scenario(capsys):
+    text = LATE.format(arrival=18)
+    Path("plain.toml").write_text(text)
+    Path("rules.toml").write_text(
+        text.replace('case = "C"', 'case = "C"\nmaster = "longest"\ncompany = "master"\n'
+                     "max_platoon = 2\npatience_min = 30")
+    )  # fmt: skip
+    assert run("plan", "rules.toml") == 0
+    told = capsys.readouterr().out
+    options = ("--master", "longest", "--company", "master", "--max-platoon", "2",
+               "--patience-min", "30")  # fmt: skip
+    assert run("plan", "plain.toml", *options) == 0
+    assert capsys.readouterr().out == told
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("max_platoon = 1", "max_platoon is 1; give a whole number"),
+        ("max_platoon = 'two'", "max_platoon is 'two'"),
+        ("patience_min = -5", "patience_min is -5"),
+        ("company = 'nobody'", "company 'nobody' is unknown"),
+    ],
+)
+def test_rules_that_are_none(line, said, capsys):
+    Path("bad.toml").write_text(LATE.format(arrival=18).replace('case = "C"', line))
+    assert run("plan", "bad.toml") == 2
+    assert said in capsys.readouterr().err
+    assert run("scenario", "--check", "bad.toml") == 2
+    assert said in capsys.readouterr().err
