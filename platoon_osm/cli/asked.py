@@ -25,6 +25,7 @@ WHERE = "On which network (before the scenario's)"
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
     "case", "master", "objective", "method", "company", "max_platoon", "patience_min",
+    "access_limit_km",
 )  # fmt: skip
 
 
@@ -53,6 +54,10 @@ def asked_options(verb: Run) -> Run:
         _option(
             WHAT, "--patience-min", type=float,
             help="Minutes by which company may move who names no window.",
+        ),
+        _option(
+            WHAT, "--access-limit-km", type=float,
+            help="How far from every road a place may be; else 50.",
         ),
         _option(WHAT, "--preset", help="Costs by name; those there are stand below."),
         _option(

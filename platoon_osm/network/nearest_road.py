@@ -172,7 +172,8 @@ def _refuse(net: RoadNetwork, lon: float, lat: float, road_m: float, limit_km: f
         + (
             "give longitude first, then latitude"
             if exchanged
-            else "load a map of that region, or give access=Access(limit_km=...) in Python"
+            else "load a map of that region, or allow more by access=Access(limit_km=...), "
+            "--access-limit-km, or access_limit_km in a scenario"
         )
     )
 

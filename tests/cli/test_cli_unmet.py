@@ -77,3 +77,29 @@ def test_rules_that_are_none(line, said, capsys):
     assert said in capsys.readouterr().err
     assert run("scenario", "--check", "bad.toml") == 2
     assert said in capsys.readouterr().err
+
+
+FAR = """network = "italy-motorways"
+[[trips]]
+vehicle = "A"
+origin = [9.0, 43.4]
+destination = "Roma"
+"""
+
+
+def test_how_far_a_place_may_be_can_be_said_where_the_remedy_says(capsys):
+    Path("far.toml").write_text(FAR)
+    assert run("plan", "far.toml") == 2
+    told = capsys.readouterr().err
+    assert "more than 50 km" in told
+    assert "--access-limit-km, or access_limit_km in a scenario" in told
+    assert run("plan", "far.toml", "--access-limit-km", "100") == 0
+    assert "access 1" in capsys.readouterr().out
+    Path("farther.toml").write_text(f"access_limit_km = 100\n{FAR}")
+    assert run("plan", "farther.toml") == 0
+    for value in ("-1", "'far'", "true"):
+        Path("bad.toml").write_text(f"access_limit_km = {value}\n{FAR}")
+        capsys.readouterr()
+        assert run("plan", "bad.toml") == 2
+        assert run("scenario", "--check", "bad.toml") == 2
+        assert capsys.readouterr().err.count("\n") == 2

@@ -104,7 +104,7 @@ def test_distance_is_to_the_road_not_to_the_node():
 def test_distance_is_to_the_road_that_is_taken():
     # The island 6 - 7 is near, but no trip can leave it: the road meant is 80 km away.
     message = refused(small_italy(), at(50_500, 80_100), "80 km from the nearest road", "50 km")
-    assert "give access=Access(limit_km=...)" in message
+    assert "allow more by access=Access(limit_km=...)" in message
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from ...errors import ScenarioError
 from ...plans.trip import Trip, check_one_clock
 from .keys import known, text_of, told
 from .network_table import beside, network_of
-from .record import Scenario
+from .record import ACCESS_LIMIT, Scenario
 from .text_file import path_of
 from .toml_file import read_toml
 from .trip_rows import trip_of
@@ -22,7 +22,7 @@ from .trip_tables import read_trips
 __all__ = ["OPTION_KEYS", "read_scenario"]
 
 TEXT_KEYS = ("case", "objective", "method", "master", "company")
-NUMBER_KEYS = ("max_platoon", "patience_min")
+NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT)
 OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS)
 TOP_KEYS = ("title", "network", *OPTION_KEYS, "costs", "trips")
 TABLE_KEYS = ("file", "sheet")

@@ -10,7 +10,9 @@ from typing import Any
 from ...costs.objective import Objective
 from ...costs.presets import DEFAULT_PRESET, PRESETS
 from ...costs.weights import EdgeWeights
-from ...errors import PlatoonError
+from ...errors import PlatoonError, ScenarioError, brief
+from ...kinds import is_number
+from ...network.access import STANDARD_ACCESS, Access
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.trip import Trip
@@ -19,7 +21,9 @@ from ..joint import plan_joint
 from ..problem import Problem
 from .keys import told
 
-__all__ = ["Scenario"]
+__all__ = ["ACCESS_LIMIT", "Scenario"]
+
+ACCESS_LIMIT = "access_limit_km"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +41,7 @@ class Scenario:
     trips : tuple of Trip
         Who goes where, places as they are written.
     options : mapping
-        Keyword arguments of `plan_joint`.
+        Keyword arguments of `plan_joint`; and `access_limit_km`, beyond which places are refused.
     costs : mapping
         Parameters of the costs.
     preset : str
@@ -86,6 +90,29 @@ class Scenario:
         """
         return self.objective().weights(net)
 
+    def access(self) -> Access:
+        """Return how places beside the road get onto it.
+
+        Returns
+        -------
+        Access
+            The standard one, with the scenario's own limit if it names one.
+
+        Raises
+        ------
+        ScenarioError
+            A limit out of range, with the file.
+        """
+        if ACCESS_LIMIT not in self.options:
+            return STANDARD_ACCESS
+        limit = self.options[ACCESS_LIMIT]
+        if not is_number(limit):
+            raise ScenarioError(
+                f"{self.file}: {ACCESS_LIMIT} is {brief(limit)}; give a number of kilometres"
+            )
+        with told(self.file, PlatoonError):
+            return Access(limit_km=float(limit))
+
     def located(self, net: RoadNetwork) -> list[Trip]:
         """Return the trips with their places found on a network.
 
@@ -108,7 +135,7 @@ class Scenario:
             return [
                 replace(trip, origin=origin, destination=destination)
                 for trip, (origin, destination) in zip(
-                    self.trips, located(net, self.trips), strict=True
+                    self.trips, located(net, self.trips, self.access()), strict=True
                 )
             ]
 
@@ -132,7 +159,7 @@ class Scenario:
         """
         trips, objective = self.located(net), self.objective()
         with told(self.file):
-            return plan_joint(net, objective, trips, **self.options)
+            return plan_joint(net, objective, trips, access=self.access(), **self._rules())
 
     def check(self) -> None:
         """Check all that can be checked without the network: costs, options, who is named.
@@ -145,8 +172,11 @@ class Scenario:
         with told(self.file, PlatoonError):
             options = {
                 "optimum" if key == "objective" else key: value
-                for key, value in self.options.items()
+                for key, value in self._rules().items()
             }
             # What is asked is checked where a problem is made; the least network there can be.
             road = RoadNetwork.from_edges([0], [1], lon=[0.0, 0.1], lat=[0.0, 0.0])
-            Problem(road, self.trips, self.objective(), **options)
+            Problem(road, self.trips, self.objective(), access=self.access(), **options)
+
+    def _rules(self) -> dict[str, Any]:
+        return {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
