@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,7 +82,7 @@ class JoinCosts:
         )
         self._known: tuple[Index, Floats, Floats] | None = None
 
-    @property
+    @cached_property
     def at_once(self) -> bool:
         """Whether the costs of all routes fit into memory at once."""
         return len(self._origins) * len(np.unique(np.concatenate(self.nodes))) <= MOST_VALUES
