@@ -19,7 +19,6 @@ from platoon_osm.planning.places import placed
 from platoon_osm.planning.problem import Problem
 from platoon_osm.planning.question import Question
 from platoon_osm.planning.reasons import reasons_alone
-from platoon_osm.planning.star import Star
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.planning.writing import written_plan
 from platoon_osm.search.trees import Trees
@@ -51,13 +50,11 @@ def plan_from_parts(problem):
     # 6. Every vehicle as master: where members merge and separate, then whoever drives side by side
     #    elsewhere, then each in turn around the others.
     for master in range(len(ends)):
-        star = Star(
-            net, weights, ends, master, question.router, question.alone, question.join_costs
-        )
+        star = question.star(master)
         choices = [star.choose(case, problem.optimum) for case in ("A", "B", "C")]
         answer = of_star(question, star, sorted(choices, key=lambda choice: choice.cost))
         if answer is not None:
-            after = improved(question, answer, fixed=False)
+            after = improved(question, answer)
             name = ends[master].vehicle
             print(f"{name} as master: {answer.cost / 1e3:,.0f}, improved {after.cost / 1e3:,.0f}")
 

@@ -188,7 +188,7 @@ def of_pair(question: Question, first: int) -> Iterator[Answer]:
         yield Answer(draft, draft.costs(question.weights), "D", None, pair.cost)
 
 
-def improved(question: Question, answer: Answer, fixed: bool) -> Answer:
+def improved(question: Question, answer: Answer) -> Answer:
     """Return an answer with all company there can be, then improved in turns.
 
     Parameters
@@ -197,8 +197,6 @@ def improved(question: Question, answer: Answer, fixed: bool) -> Answer:
         What is asked.
     answer : Answer
         Of a star.
-    fixed : bool
-        Whether the master keeps its route, because the problem names it.
 
     Returns
     -------
@@ -213,10 +211,11 @@ def improved(question: Question, answer: Answer, fixed: bool) -> Answer:
     draft = side_by_side(
         answer.draft, question.weights, order, problem.max_platoon, question.allows
     )
-    movable = {k for k in range(len(question.ends)) if not (fixed and k == answer.master)}
+    # A master that the problem names keeps its route.
+    movable = set(range(len(question.ends))) - {question.fixed_master}
     draft = improved_in_turns(
         question.net, draft, question.weights, order, problem.max_platoon, question.allows,
-        movable, [(item.origin, item.destination) for item in question.ends],
+        movable, question.node_pairs,
     )  # fmt: skip
     if draft is answer.draft:
         return answer

@@ -8,14 +8,11 @@ from ..plans.proof import Proof
 from ..plans.records import MasterTried
 from .answers import Answer, alone
 from .company.bound import least_total
-from .master import longest_first
-from .masters import Tried, candidates, fixed_master, star_cases
+from .company.draft import NO_CHEAPER
+from .masters import Tried, candidates
 from .question import Question
 
 __all__ = ["Best", "best_answer"]
-
-NO_CHEAPER = 1e-9
-"""An answer is better only if it costs less by this share; else the earlier one is taken."""
 
 WAITING_FREE = "waiting at merging points is free"
 ALIKE = "vehicles are alike"
@@ -59,24 +56,24 @@ def best_answer(question: Question) -> Best:
     Best
         The answer and what is proved about it.
     """
-    fixed = fixed_master(question)
-    master = longest_first(question.lengths_m)[0] if fixed is None else fixed
+    fixed = question.fixed_master
     tried = candidates(question) if len(question.ends) > 1 else Tried()
-    best = alone(question, master)
+    best = alone(question, question.first_master)
     # Who drives alone at the same cost as in company drives in company: the paper's tie rule.
     for answer in sorted(tried.answers, key=lambda one: (one.master is None, not _is_led(one))):
         level = 1 + NO_CHEAPER if not best.draft.together else 1 - NO_CHEAPER
         if answer.cost < best.cost * level and answer.draft.together:
             best = answer
     if fixed is None and best.master is not None and best.draft.together and not _is_led(best):
-        best = replace(best, master=_leader(best), bound=None)
+        led = best.draft.led()
+        best = replace(best, master=led.index(max(led)), bound=None)
     if not best.draft.together:
         stayed = [one for one in tried.answers if not one.draft.together]
         same = [one for one in stayed if one.master == best.master or one.case == best.case]
         best = replace(best, master=same[0].master, bound=same[0].bound) if same else best
     return Best(
         best,
-        _proof(question, best, tried, fixed),
+        _proof(question, best, tried),
         _masters(tried),
         tuple(_remarks(question, tried)),
     )
@@ -88,15 +85,6 @@ def _is_led(answer: Answer) -> bool:
     return master is not None and any(len(one) > 1 for one in answer.draft.companies[master])
 
 
-def _leader(answer: Answer) -> int:
-    """Return who drives in front of others for most edges."""
-    led = [
-        sum(len(one) > 1 and one[0] == index for one in own)
-        for index, own in enumerate(answer.draft.companies)
-    ]
-    return led.index(max(led))
-
-
 def _masters(tried: Tried) -> tuple[MasterTried, ...]:
     found = [
         MasterTried(answer.master, answer.case, answer.cost)
@@ -106,9 +94,10 @@ def _masters(tried: Tried) -> tuple[MasterTried, ...]:
     return tuple(sorted(found, key=lambda one: one.cost))
 
 
-def _proof(question: Question, best: Answer, tried: Tried, fixed: int | None) -> Proof:
-    ends = [(item.origin, item.destination) for item in question.ends]
-    any_plan = least_total(question.net, question.weights, ends, question.solo, best.cost)
+def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
+    any_plan = least_total(
+        question.net, question.weights, question.node_pairs, question.solo, best.cost
+    )
     free = question.problem.objective.waiting(3600.0) == 0
     conditions = (WAITING_FREE,) if free else ()
     if len(question.ends) < 2:
@@ -120,7 +109,7 @@ def _proof(question: Question, best: Answer, tried: Tried, fixed: int | None) ->
         return _bounded(best, any_plan, late, conditions)
     assert best.master is not None
     name = question.ends[best.master].vehicle
-    who = (f"master {name} on its own route", *_compared(question, tried, fixed))
+    who = (f"master {name} on its own route", *_compared(question, tried))
     return Proof.of(best.cost, min(best.bound, best.cost), (*who, *conditions), any_plan)
 
 
@@ -129,8 +118,8 @@ def _bounded(best: Answer, any_plan: float, late: bool, conditions: tuple[str, .
     return Proof.of(best.cost, any_plan, (ANY_WAY, *clock, *conditions), any_plan)
 
 
-def _compared(question: Question, tried: Tried, fixed: int | None) -> tuple[str, ...]:
-    if fixed is not None or not star_cases(question):
+def _compared(question: Question, tried: Tried) -> tuple[str, ...]:
+    if question.fixed_master is not None or not question.star_cases:
         return ()
     count = len(question.ends)
     planned = sum(answer.master is not None for answer in tried.answers)

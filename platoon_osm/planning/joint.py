@@ -22,19 +22,18 @@ from ..search.protocol import EngineName
 from ..search.searches import Searches
 from ..search.trees import Trees
 from .answers import Answer
-from .best import NO_CHEAPER, best_answer
+from .best import best_answer
 from .company.draft import Draft
 from .company.platoons import platoons_of
 from .ends import located, resolve_trips
-from .master import longest_first
-from .masters import fixed_master, star_cases
+from .masters import choices_of
 from .place_remarks import with_place_remarks
 from .places import placed
 from .problem import Company, Optimum, Problem, check_choice
 from .question import Question
 from .reasons import reasons_alone
 from .routers import AstarRouter, Method
-from .star import Star, StarChoice
+from .star import Star
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
 from .writing import written_plan
@@ -196,14 +195,13 @@ def _written(
 def _by_astar(question: Question) -> Plan:
     """Return the plan of the paper's A*, beside the exact one of the same case and master."""
     problem, weights, ends = question.problem, question.weights, question.ends
-    fixed = fixed_master(question)
-    master = longest_first(question.lengths_m)[0] if fixed is None else fixed
-    exact = Star(question.net, weights, ends, master, question.router, question.alone)
+    master = question.first_master
+    exact = question.star(master)
     speed = float(weights.params.get("speed_kmh", ESTIMATED_KMH)) / 3.6
     cost = float(question.solo[master])
     router = AstarRouter(question.net, weights.solo, cost, speed, problem.method)
     star = Star(question.net, weights, ends, master, router)
-    choice = _cheapest([star.choose(case, problem.optimum) for case in star_cases(question)])
+    choice = choices_of(star, question.star_cases, problem.optimum)[0]
     compared = exact.choose(choice.case, problem.optimum)
     proof = Proof(
         "heuristic",
@@ -218,18 +216,10 @@ def _by_astar(question: Question) -> Plan:
         solo_excess=star.solo_cost / exact.solo_cost - 1 if exact.solo_cost else 0.0,
     )
     runs = star.routes(choice.points)
-    answer = Answer(Draft.of(runs), Draft.of(runs).costs(weights), choice.case, master, None)
+    draft = Draft.of(runs)
+    answer = Answer(draft, draft.costs(weights), choice.case, master, None)
     question.alone = star.alone
     return _written(question, runs, choice.case, master, proof, reasons_alone(question, answer))
-
-
-def _cheapest(choices: list[StarChoice]) -> StarChoice:
-    """Return the cheapest choice; of equally good ones the first, which is the simplest."""
-    best = choices[0]
-    for choice in choices[1:]:
-        if choice.cost < best.cost * (1 - NO_CHEAPER):
-            best = choice
-    return best
 
 
 def _with_rules(plan: Plan, problem: Problem) -> Plan:

@@ -8,17 +8,18 @@ had off its master's route.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from .answers import Answer, improved, of_pair, of_star
-from .master import LONGEST, longest_first
+from .company.draft import NO_CHEAPER
+from .problem import Optimum
 from .question import Question
 from .star import Star, StarChoice
 
-__all__ = ["Tried", "candidates", "fixed_master"]
+__all__ = ["Tried", "candidates", "choices_of"]
 
 FULLY_TRIED = 12
 """Up to so many vehicles nobody is skipped, and each one's star is completed and improved."""
@@ -55,29 +56,6 @@ class Tried:
     left_out: list[Answer] = field(default_factory=list)
 
 
-def fixed_master(question: Question) -> int | None:
-    """Return the master that the problem asks for.
-
-    Parameters
-    ----------
-    question : Question
-        What is asked.
-
-    Returns
-    -------
-    int or None
-        A position; None if the best is to be found.
-    """
-    asked = question.problem.master
-    names = [item.vehicle for item in question.ends]
-    if asked is None:
-        return None
-    if asked in names:
-        return names.index(asked)
-    assert asked == LONGEST  # Problem takes nothing else
-    return longest_first(question.lengths_m)[0]
-
-
 def candidates(question: Question) -> Tried:
     """Return the answers from which the best is taken.
 
@@ -92,37 +70,17 @@ def candidates(question: Question) -> Tried:
         At least one answer unless nobody can join anybody.
     """
     found = Tried()
-    fixed = fixed_master(question)
-    every = longest_first(question.lengths_m)
+    fixed = question.fixed_master
     if "D" in question.problem.cases:
-        _try_pair(question, every[0] if fixed is None else fixed, found)
-    if star_cases(question):
-        _try_stars(question, [fixed] if fixed is not None else every, found)
+        _try_pair(question, question.first_master, found)
+    if question.star_cases:
+        _try_stars(question, question.by_length if fixed is None else [fixed], found)
     return found
-
-
-def star_cases(question: Question) -> tuple[str, ...]:
-    """Return the cases with one master that are asked for.
-
-    Parameters
-    ----------
-    question : Question
-        What is asked.
-
-    Returns
-    -------
-    tuple of str
-        Of "A", "B" and "C".
-    """
-    return tuple(case for case in question.problem.cases if case != "D")
 
 
 def _try_pair(question: Question, first: int, found: Tried) -> None:
     asked = question.problem.case == "D"
     answers = list(of_pair(question, first))
-    most = question.problem.max_platoon
-    if most is not None and most < 2:
-        return
     some = [answer for answer in answers if question.in_time(answer.draft)]
     member = question.problem.optimum == "member"
     kept = [answer for answer in some if not (member and question.losers(answer.draft))]
@@ -135,70 +93,71 @@ def _try_pair(question: Question, first: int, found: Tried) -> None:
 
 
 def _try_stars(question: Question, masters: Sequence[int], found: Tried) -> None:
-    fixed = len(masters) == 1
-    stars = list(_stars(question, masters))
+    stars = _stars(question, masters)
     skips = len(stars) > FULLY_TRIED
-    planned: list[tuple[float, int, Star, list[StarChoice]]] = []
+    planned: list[tuple[Star, list[StarChoice]]] = []
     best = np.inf
-    for number, star in enumerate(stars):
+    for star in stars:
         if skips and star.bound >= best:
             break  # those after it have bounds no better
-        choices = _choices(question, star)
+        choices = choices_of(star, question.star_cases, question.problem.optimum)
         best = min(best, choices[0].cost)
-        planned.append((choices[0].cost, number, star, choices))
+        planned.append((star, choices))
     # Of equally good ones that of the longest route, as the paper has it.
-    order = {vehicle: rank for rank, vehicle in enumerate(masters)}
-    planned.sort(key=lambda one: (one[0], order[one[2].master]))
-    every = not skips and question.net.n <= MOST_NODES
-    if every:
-        planned.sort(key=lambda one: order[one[2].master])
-    for rank, (_, _, star, choices) in enumerate(planned):
+    rank = {vehicle: place for place, vehicle in enumerate(masters)}
+    planned.sort(key=lambda one: rank[one[0].master])
+    complete = len(planned)
+    if skips or question.net.n > MOST_NODES:
+        planned.sort(key=lambda one: one[1][0].cost)
+        complete = MOST_COMPLETED
+    for place, (star, choices) in enumerate(planned):
         answer = of_star(question, star, choices)
-        if answer is None:
-            continue
-        if every or rank < MOST_COMPLETED:
-            answer = improved(question, answer, fixed and question.problem.master is not None)
-        found.answers.append(answer)
+        if answer is not None:
+            found.answers.append(improved(question, answer) if place < complete else answer)
     found.compared, found.blind = len(stars), min(best, found.blind)
 
 
-def _stars(question: Question, masters: Sequence[int]) -> Iterator[Star]:
-    """Yield the stars to try, the most promising first where some may be skipped."""
+def _stars(question: Question, masters: Sequence[int]) -> list[Star]:
+    """Return the stars to try, the most promising first where some may be skipped."""
     tried = list(masters)
     if len(tried) > FULLY_TRIED and not question.join_costs.at_once:
-        tried = sorted(tried, key=lambda one: -_shared_m(question, one))[:MOST_UNBOUNDED]
-    stars = [
-        Star(
-            question.net, question.weights, question.ends, master, question.router,
-            question.alone, question.join_costs,
-        )
-        for master in tried
-    ]  # fmt: skip
-    if len(stars) > FULLY_TRIED:
-        stars.sort(key=lambda star: star.bound)
-    yield from stars
+        shared = _shared_m(question)
+        tried = sorted(tried, key=lambda one: -shared[one])[:MOST_UNBOUNDED]
+    stars = [question.star(master) for master in tried]
+    return sorted(stars, key=lambda star: star.bound) if len(stars) > FULLY_TRIED else stars
 
 
-def _shared_m(question: Question, master: int) -> float:
-    """Return how much of its route others drive too, counted for each of them [m]."""
+def _shared_m(question: Question) -> list[float]:
+    """Return how much of each one's route others drive too, counted for each of them [m]."""
     on = np.zeros(question.net.m, np.int64)
     for route in question.alone:
         on[route] += 1
-    own = question.alone[master]
-    return float(((on[own] - 1) * question.net.length_m[own]).sum())
+    return [float(((on[own] - 1) * question.net.length_m[own]).sum()) for own in question.alone]
 
 
-def _choices(question: Question, star: Star) -> list[StarChoice]:
-    """Return what each case chooses, the cheapest first, of equally good ones the simplest."""
-    optimum = question.problem.optimum
-    found = [star.choose(case, optimum) for case in star_cases(question)]
+def choices_of(star: Star, cases: Sequence[str], optimum: Optimum) -> list[StarChoice]:
+    """Return what cases choose, the cheapest first, of equally good ones the simplest.
+
+    Parameters
+    ----------
+    star : Star
+        A master and its members.
+    cases : sequence of str
+        Of "A", "B" and "C".
+    optimum : {"member", "system"}
+        Whose cost is least.
+
+    Returns
+    -------
+    list of StarChoice
+        Each choice of points once, under the first case that has it.
+    """
+    found = [star.choose(case, optimum) for case in cases]
     distinct: dict[bytes, StarChoice] = {}
     for choice in found:
         points = choice.points
         key = points.merge_index.tobytes() + points.separation_index.tobytes()
         distinct.setdefault(key, choice)
     # Cost that differs by last digits alone is the same.
-    least = min(choice.cost for choice in found)
-    return sorted(
-        distinct.values(), key=lambda choice: choice.cost if choice.cost > least * (1 + 1e-9) else 0
-    )
+    level = min(choice.cost for choice in found) * (1 + NO_CHEAPER)
+    return sorted(distinct.values(), key=lambda choice: choice.cost if choice.cost > level else 0)

@@ -8,18 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..costs.weights import EdgeWeights
-from ..plans.clock import Clock
 from ..plans.stretches import Run
-from ..plans.zones import in_order
 from ..search.trees import Trees
 from .company.draft import Draft
 from .ends import TripEnds
 from .join_costs import JoinCosts, road_of
+from .master import longest_first
 from .problem import Problem
 from .routers import DijkstraRouter
+from .star import Star
 from .timing.feasible import InTime
-from .timing.flexibility import with_latest_arrivals
-from .timing.limits import Window, allowed_windows, asked_windows
+from .timing.limits import Window, first_named, windows_of
 
 __all__ = ["NO_DEARER", "Question"]
 
@@ -67,6 +66,53 @@ class Question:
         return np.array([float(self.weights.solo[own].sum()) for own in self.alone])
 
     @cached_property
+    def node_pairs(self) -> list[tuple[int, int]]:
+        """The nodes where each vehicle starts and ends, (N, 2)."""
+        return [(item.origin, item.destination) for item in self.ends]
+
+    @cached_property
+    def by_length(self) -> list[int]:
+        """The vehicles by the length of their routes, the longest first."""
+        return longest_first(self.lengths_m)
+
+    @cached_property
+    def fixed_master(self) -> int | None:
+        """The master that the problem asks for; None if the best is to be found."""
+        asked = self.problem.master
+        if asked is None:
+            return None
+        names = [item.vehicle for item in self.ends]
+        # What is no name is the rule of the longest route: Problem takes nothing else.
+        return names.index(asked) if asked in names else self.by_length[0]
+
+    @property
+    def first_master(self) -> int:
+        """The master that is asked for, or else that of the longest route."""
+        return self.by_length[0] if self.fixed_master is None else self.fixed_master
+
+    @cached_property
+    def star_cases(self) -> tuple[str, ...]:
+        """The cases with one master that are asked for, of "A", "B" and "C"."""
+        return tuple(case for case in self.problem.cases if case != "D")
+
+    def star(self, master: int) -> Star:
+        """Return what it takes to join a master, by routes that are known already.
+
+        Parameters
+        ----------
+        master : int
+            Position in the plan.
+
+        Returns
+        -------
+        Star
+            All others are its members.
+        """
+        return Star(
+            self.net, self.weights, self.ends, master, self.router, self.alone, self.join_costs
+        )
+
+    @cached_property
     def join_costs(self) -> JoinCosts:
         """What it costs to reach the routes of others."""
         roads = [road_of(self.net, own) for own in self.alone]
@@ -80,13 +126,13 @@ class Question:
     @cached_property
     def windows(self) -> list[Window] | None:
         """How far company may move each vehicle; None if nobody names a time."""
-        named = [at for trip in self.problem.trips for at in trip.times.values()]
-        if not named:
+        first = first_named(self.problem.trips)
+        if first is None:
             return None
         alone_s = [float(self.drive_s[own].sum()) for own in self.alone]
-        trips = with_latest_arrivals(self.problem.trips, alone_s)
-        asked = asked_windows(trips, Clock.at(min(named, key=in_order)))
-        return allowed_windows(asked, alone_s, self.problem.patience_min * 60.0)
+        patience_s = self.problem.patience_min * 60.0
+        _, allowed = windows_of(self.problem.trips, alone_s, patience_s, first)
+        return allowed
 
     @cached_property
     def _in_time(self) -> InTime:

@@ -5,9 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .answers import Answer
-from .masters import fixed_master
 from .question import Question
-from .star import Star
 
 __all__ = ["reasons_alone"]
 
@@ -29,10 +27,13 @@ def reasons_alone(question: Question, answer: Answer) -> list[str]:
     """
     names = [item.vehicle for item in question.ends]
     reasons = [""] * len(names)
-    blind = _would_join(question, answer)
-    for index, own in enumerate(answer.draft.companies):
-        if index == answer.master or any(len(company) > 1 for company in own):
-            continue
+    alone = [
+        index
+        for index, own in enumerate(answer.draft.companies)
+        if index != answer.master and not any(len(company) > 1 for company in own)
+    ]
+    blind = _would_join(question, answer) if alone else set()
+    for index in alone:
         reasons[index] = _reason(question, answer, index, names, index in blind)
     return reasons
 
@@ -41,10 +42,7 @@ def _would_join(question: Question, answer: Answer) -> set[int]:
     """Return who would join the master if there were no clock; nobody where there is none."""
     if question.windows is None or answer.master is None or question.problem.method != "dijkstra":
         return set()
-    star = Star(
-        question.net, question.weights, question.ends, answer.master, question.router,
-        question.alone, question.join_costs,
-    )  # fmt: skip
+    star = question.star(answer.master)
     asked = question.problem.case
     points = star.choose("C" if asked == "best" else asked, "member").points
     return {star.members[k] for k in np.flatnonzero(points.merge_index >= 0).tolist()}
@@ -64,7 +62,7 @@ def _reason(
         return f"the clock forbids what it could save with {names[master]}"
     most = question.problem.max_platoon
     bounds = "" if most is None else f", or platoons of {most} are full"
-    if len(names) == 2 or fixed_master(question) is not None:
+    if len(names) == 2 or question.fixed_master is not None:
         return f"driving alone costs less than any way with {names[master]}{bounds}"
     return f"driving alone costs less than any company that was found{bounds}"
 

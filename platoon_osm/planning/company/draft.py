@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 from ...costs.weights import EdgeWeights
 from ...plans.stretches import Run, runs_along
 
-__all__ = ["Company", "Draft", "Order"]
+__all__ = ["NO_CHEAPER", "Company", "Draft", "Order"]
+
+NO_CHEAPER = 1e-9
+"""Only what costs less by this share is cheaper, or sums of the same edges would take turns."""
 
 Edges = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -55,21 +58,6 @@ class Order:
             return tuple(some)
         leader = min(some, key=self._rank.__getitem__)
         return (leader, *(one for one in some if one != leader))
-
-    def leads(self, vehicle: int, other: int) -> bool:
-        """Tell whether a vehicle would lead another.
-
-        Parameters
-        ----------
-        vehicle, other : int
-            Positions in the plan.
-
-        Returns
-        -------
-        bool
-            Whether it comes first.
-        """
-        return bool(self._rank[vehicle] < self._rank[other])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -172,6 +160,19 @@ class Draft:
                 if company not in there:
                     there.append(company)
         return found
+
+    def led(self) -> list[int]:
+        """Return how many edges each vehicle drives in front of others.
+
+        Returns
+        -------
+        list of int, (N,)
+            0 for those who follow or drive alone.
+        """
+        return [
+            sum(len(company) > 1 and company[0] == index for company in own)
+            for index, own in enumerate(self.companies)
+        ]
 
     @property
     def together(self) -> bool:

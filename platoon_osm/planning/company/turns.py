@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
 from ...search.changing_weights import ChangingWeights
-from .draft import Company, Draft, Order
+from .draft import NO_CHEAPER, Company, Draft, Order
 
 __all__ = ["improved_in_turns"]
 
@@ -29,9 +29,6 @@ LOOKS = 4
 
 MOST_STEPS = 3_000_000
 """Nodes searched and edges looked at before the turns stop, about a second's work."""
-
-NO_CHEAPER = 1e-9
-"""A turn must save this share of the total, or sums of the same edges would go round in circles."""
 
 
 def improved_in_turns(

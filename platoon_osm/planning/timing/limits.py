@@ -15,11 +15,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import datetime
 
 from ...plans.clock import Clock
 from ...plans.trip import TIMES, Trip
+from ...plans.zones import in_order
+from .flexibility import with_latest_arrivals
 
-__all__ = ["NOTHING_ASKED", "PATIENCE_MIN", "Window", "allowed_windows", "asked_windows"]
+__all__ = ["NOTHING_ASKED", "PATIENCE_MIN", "Window", "first_named", "windows_of"]
 
 PATIENCE_MIN = 120.0
 """By how much a vehicle without a window may be moved for company, unless the problem says."""
@@ -76,50 +79,55 @@ class Window:
 NOTHING_ASKED = Window(None, None, None)
 
 
-def asked_windows(trips: Sequence[Trip], clock: Clock) -> list[Window]:
-    """Return what trips name.
+def first_named(trips: Sequence[Trip]) -> datetime | None:
+    """Return the first time that trips name; None if they name none.
+
+    Parameters
+    ----------
+    trips : sequence of Trip
+        Who goes where, and when.
+
+    Returns
+    -------
+    datetime or None
+        What the seconds of windows count from.
+    """
+    return min((at for trip in trips for at in trip.times.values()), key=in_order, default=None)
+
+
+def windows_of(
+    trips: Sequence[Trip], alone_s: Sequence[float], patience_s: float | None, first: datetime
+) -> tuple[list[Window], list[Window]]:
+    """Return when vehicles want to drive, and how far company may move them.
 
     Parameters
     ----------
     trips : sequence of Trip, (N,)
         Who goes where, and when.
-    clock : Clock
+    alone_s : sequence of float, (N,)
+        Driving time alone [s].
+    patience_s : float or None
+        How far one without a window may be moved [s]; None for any distance, and then only what
+        the trips name counts.
+    first : datetime
         What seconds count from.
 
     Returns
     -------
-    list of Window, (N,)
-        In seconds.
-    """
-    return [
-        Window(*(clock.seconds(trip.times[name]) if name in trip.times else None for name in TIMES))
-        for trip in trips
-    ]
-
-
-def allowed_windows(
-    asked: Sequence[Window], alone_s: Sequence[float], patience_s: float
-) -> list[Window]:
-    """Return how far company may move each vehicle, as the module's text says.
-
-    Parameters
-    ----------
-    asked : sequence of Window, (N,)
+    asked : list of Window, (N,)
         What the trips name.
-    alone_s : sequence of float, (N,)
-        Driving time alone [s].
-    patience_s : float
-        How far one without a window may be moved [s].
-
-    Returns
-    -------
-    list of Window, (N,)
-        In seconds.
+    allowed : list of Window, (N,)
+        What company must keep to, as the module's text says.
     """
-    return [
-        _allowed(window, drive_s, patience_s)
-        for window, drive_s in zip(asked, alone_s, strict=True)
+    clock = Clock.at(first)
+    asked = [
+        Window(*(clock.seconds(trip.times[name]) if name in trip.times else None for name in TIMES))
+        for trip in with_latest_arrivals(trips, alone_s)
     ]
+    if patience_s is None:
+        return asked, asked
+    limited = zip(asked, alone_s, strict=True)
+    return asked, [_allowed(window, drive_s, patience_s) for window, drive_s in limited]
 
 
 def _allowed(asked: Window, drive_s: float, patience_s: float) -> Window:

@@ -32,14 +32,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ScenarioError
-from ...plans.clock import Clock, late_by
+from ...plans.clock import late_by
 from ...plans.plan import Plan
 from ...plans.text_table import listed
 from ...plans.timetable import LATE_S, Timetable, VehicleTimes
 from ...plans.trip import Trip, check_one_clock
-from ...plans.zones import clock_of, in_order
-from .flexibility import with_latest_arrivals
-from .limits import Window, allowed_windows, asked_windows
+from ...plans.zones import clock_of
+from .limits import Window, first_named, windows_of
 from .pieces import Pieces, pieces_of
 from .programme import Programme
 
@@ -133,19 +132,19 @@ def schedule(
         Times with and without a zone, a vehicle without its trip, or legs that do not fit together.
     """
     check_one_clock(trips)
-    named = [at for trip in trips for at in trip.times.values()]
-    if not named:
+    first = first_named(trips)
+    if first is None:
         return None
     known = {trip.vehicle: trip for trip in trips}
     for vehicle in plan.vehicles:
         if vehicle.vehicle not in known:
             raise ScenarioError(f"schedule: vehicle {vehicle.vehicle!r} has no trip; give it one")
-    first = min(named, key=in_order)
-    clock = Clock.at(first)
-    alone_s = [trip.alone.time_s for trip in plan.trips]
-    own = with_latest_arrivals([known[trip.vehicle] for trip in plan.trips], alone_s)
-    asked = asked_windows(own, clock)
-    windows = asked if patience_s is None else allowed_windows(asked, alone_s, patience_s)
+    asked, windows = windows_of(
+        [known[trip.vehicle] for trip in plan.trips],
+        [trip.alone.time_s for trip in plan.trips],
+        patience_s,
+        first,
+    )
     pieces = pieces_of(plan.stretches, plan.ways)
     starts = _starts(pieces, windows, asked)
     # Seconds count from the whole second at or before the first departure.
