@@ -18,6 +18,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.plan import JointPlan
 from platoon_osm.report import write_comparison, write_flows, write_html
 from platoon_osm.report.markup.fragments import asset, compact_asset
+from platoon_osm.report.markup.still_page import PAGE_STYLES
 from platoon_osm.report.pages.page_parts import SCRIPTS
 
 Visit = Callable[..., Any]
@@ -185,7 +186,7 @@ def test_flow_colours_are_told_apart_in_grey() -> None:
     assert all(contrast(a, b) > 1.35 for a, b in pairwise(COLOURS))
 
 
-@pytest.mark.parametrize("name", [*SCRIPTS, "flows.js", "page.css"])
+@pytest.mark.parametrize("name", [*SCRIPTS, "flows.js", *PAGE_STYLES])
 def test_no_text_runs_over_a_line_end(name: str) -> None:
     """So that indents and whole-line comments may be left out of a page."""
     for line in asset(name).splitlines():

@@ -29,12 +29,12 @@ def test_colours_stand_in_the_palette_alone() -> None:
     ("colour", "assets"),
     [
         (palette.INK, ["page.css", "panel.html", "charts.html", "schedule.html", "map.svg.html"]),
-        (palette.MUTED, ["charts.html", "schedule.html", "map.svg.html", "page.js"]),
-        (palette.PLATOON, ["schedule.html", "map.svg.html", "page.js"]),
-        (palette.PLATOON_CASING, ["schedule.html", "map.svg.html", "page.js"]),
+        (palette.MUTED, ["charts.html", "schedule.html", "map.svg.html", "background.js"]),
+        (palette.PLATOON, ["schedule.html", "map.svg.html", "routes.js"]),
+        (palette.PLATOON_CASING, ["schedule.html", "map.svg.html", "routes.js"]),
         (palette.FRAME, ["map.svg.html"]),
         (palette.LATE, ["page.css", "schedule.html"]),
-        (palette.CASING, ["map.svg.html", "page.js"]),
+        (palette.CASING, ["map.svg.html", "background.js"]),
         (palette.CROWD, ["marks.js"]),
     ],
 )

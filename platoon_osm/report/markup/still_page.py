@@ -7,7 +7,10 @@ from collections.abc import Sequence
 from .fragments import Piece, Tree, compact_asset, written, written_page
 from .security import policy
 
-__all__ = ["still_page"]
+__all__ = ["PAGE_STYLES", "still_page"]
+
+PAGE_STYLES = ("page.css", "panel.css", "map.css", "narrow.css", "print.css")
+"""Style sheets of all pages with a map and a panel, in their order: later rules win."""
 
 
 def still_page(title: str, body: Tree, styles: Sequence[str], scripts: Sequence[str] = ()) -> str:

@@ -18,7 +18,7 @@ from ..drawing.palette import CROWD
 from ..maps.static_map import small_maps
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, kilometres, litres, percent, true_minus
-from ..markup.still_page import still_page
+from ..markup.still_page import PAGE_STYLES, still_page
 from .page_pieces import badge, costs_of, figures, items
 
 __all__ = ["write_comparison"]
@@ -112,7 +112,7 @@ def _page(comparison: Comparison) -> str:
             "credits": items(credits),
         },
     )
-    return still_page(comparison.title, body, styles=("page.css", "comparison.css"))
+    return still_page(comparison.title, body, styles=(*PAGE_STYLES, "comparison.css"))
 
 
 def _vehicles(plans: Sequence[Document]) -> dict[str, Vehicle]:

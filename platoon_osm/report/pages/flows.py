@@ -20,7 +20,7 @@ from ..maps.placement import Box, Cover
 from ..maps.static_map import NARROW, static_texts, town_names
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, percent, true_minus
-from ..markup.still_page import still_page
+from ..markup.still_page import PAGE_STYLES, still_page
 from .page_pieces import about, credit_lines, heading, opening, unit_note
 
 __all__ = ["CLASSES", "flow_class", "write_flows"]
@@ -84,7 +84,7 @@ def _page(found: FlowDocument) -> str:
             ),
         },
     )
-    return still_page(document.title, body, ("page.css", "flows.css"), ("flows.js",))
+    return still_page(document.title, body, (*PAGE_STYLES, "flows.css"), ("flows.js",))
 
 
 def flow_class(vehicles: int, most: int) -> int:

@@ -7,6 +7,7 @@ from ..document.model import Document
 from ..markup.fragments import Piece, asset, compact_asset, written_page
 from ..markup.leaflet import Leaflet
 from ..markup.security import json_for_html, policy
+from ..markup.still_page import PAGE_STYLES
 from .online_map import Tiles
 from .panel import page_body
 
@@ -17,11 +18,18 @@ LEAFLET_LICENCE = "leaflet-licence.txt"
 SCRIPTS = (
     "elements.js",
     "lines.js",
+    "scene.js",
+    "tips.js",
+    "fit.js",
+    "controls.js",
+    "background.js",
     "lanes.js",
+    "routes.js",
     "cover.js",
     "marks.js",
     "labels.js",
     "legend.js",
+    "events.js",
     "clock.js",
     "journey.js",
     "page.js",
@@ -66,7 +74,7 @@ class PageParts:
         """
         own = "".join(compact_asset(name) for name in SCRIPTS)
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
-        own_style = "".join(compact_asset(name) for name in ("page.css", "schedule.css"))
+        own_style = "".join(compact_asset(name) for name in (*PAGE_STYLES, "schedule.css"))
         styles = [self.leaflet.style, own_style]
         body = page_body(self.document, Piece("live-map", {"id": map_id}))
         tiles = self.tiles

@@ -1,0 +1,39 @@
+/* What every script of the live map works on: the plan, the Leaflet map, its panes and layers. */
+// oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
+const planScene = () => {
+
+const { decoded } = planLines;
+const plan = JSON.parse(document.getElementById("plan-data").textContent);
+const map = window.map_plan;
+const frame = map.getContainer();
+const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
+const ROUTE_STEPS = 1e5;
+
+document.documentElement.classList.add("live");
+
+// Panes, bottom to top.
+const panes = ["network", "junctions", "routes", "platoons", "names", "ties", "callouts"];
+panes.forEach((name, i) => {
+  map.createPane(name).style.zIndex = 300 + 20 * i;
+});
+for (const name of ["names", "ties", "callouts"]) map.getPane(name).classList.add("leaflet-zoom-hide");
+for (const name of ["network", "names", "ties", "callouts"]) {
+  map.getPane(name).style.pointerEvents = "none";
+}
+
+/* Names of the layers that the legend has switched off. */
+const hidden = new Set();
+
+const groups = {};
+const group = (name) => (groups[name] ??= L.layerGroup().addTo(map));
+
+const points = (parts) =>
+  parts.map((part) => ({ ...part, points: decoded(part.line, ROUTE_STEPS) }));
+const solos = plan.solos.map((solo) => ({ ...solo, parts: points(solo.parts) }));
+const platoons = plan.platoons.map((one) => {
+  const parts = points(one.parts);
+  return { ...one, parts, points: parts.flatMap((part) => part.points) };
+});
+
+return { plan, map, frame, calm, hidden, groups, group, solos, platoons, ROUTE_STEPS };
+};
