@@ -174,7 +174,7 @@ def test_contrast(ink: str, ground: str, least: float) -> None:
 
 
 def test_inks_of_the_style_sheet_are_those_checked() -> None:
-    style = asset("page.css")
+    style = asset("theme.css")
     for ink in ("#17202b", "#566170", "#006b47", "#a3260a"):
         assert ink in style
 

@@ -28,13 +28,13 @@ def test_colours_stand_in_the_palette_alone() -> None:
 @pytest.mark.parametrize(
     ("colour", "assets"),
     [
-        (palette.INK, ["page.css", "panel.html", "charts.html", "schedule.html", "map.svg.html"]),
-        (palette.MUTED, ["charts.html", "schedule.html", "map.svg.html", "background.js"]),
+        (palette.INK, ["theme.css", "panel.html", "charts.html", "schedule.html", "map.svg.html"]),
+        (palette.MUTED, ["charts.html", "schedule.html", "map.svg.html", "theme.css"]),
         (palette.PLATOON, ["schedule.html", "map.svg.html", "routes.js"]),
         (palette.PLATOON_CASING, ["schedule.html", "map.svg.html", "routes.js"]),
         (palette.FRAME, ["map.svg.html"]),
-        (palette.LATE, ["page.css", "schedule.html"]),
-        (palette.CASING, ["map.svg.html", "background.js"]),
+        (palette.LATE, ["theme.css", "schedule.html"]),
+        (palette.CASING, ["map.svg.html", "theme.css"]),
         (palette.CROWD, ["marks.js"]),
     ],
 )

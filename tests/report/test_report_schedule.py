@@ -550,7 +550,7 @@ def test_schedule_figure_and_its_numbers(day: JointPlan, net: RoadNetwork, tmp_p
 )  # fmt: skip
 def test_contrast_of_the_schedule(ink: str, ground: str, least: float) -> None:
     assert contrast(ink, ground) >= least
-    sources = "".join(asset(name) for name in ("schedule.css", "schedule.html", "page.css"))
+    sources = "".join(asset(name) for name in ("schedule.css", "schedule.html", "theme.css"))
     assert ink in sources + LATE
 
 
