@@ -274,8 +274,11 @@ def real_california() -> Made:
 @kind
 def a_wide_country() -> Made:
     """Straight from west to east, and hardly taller than its marks."""
-    return timed(valley_plan([("A", "Torino", "Trieste", None, None),
-                              ("B", "Novara Est", "Portogruaro", "Novara Est", "Portogruaro")])), valley()  # fmt: skip
+    journeys: list[Journey] = [
+        ("A", "Torino", "Trieste", None, None),
+        ("B", "Novara Est", "Portogruaro", "Novara Est", "Portogruaro"),
+    ]
+    return timed(valley_plan(journeys)), valley()
 
 
 @kind
