@@ -17,7 +17,7 @@ from ..drawing.basemap import network_lines
 from ..drawing.vehicle_styles import VehicleStyle
 from .as_json import as_json
 from .checks import check_title
-from .event_marks import event_mark
+from .event_marks import event_mark, told_events
 from .findings import find
 from .journey import rounded
 from .map_lines import inferred_routes, platoon_line, solo_line
@@ -120,7 +120,7 @@ def document_of(
         groups=tuple(groups(found)),
         platoons=tuple(platoon_line(found, number) for number in range(len(found.platoons))),
         solos=tuple(solo_line(found, number) for number in range(len(found.solos))),
-        events=tuple(event_mark(found, number) for number in range(len(plan.events))),
+        events=tuple(event_mark(found, number) for number in told_events(found)),
         journey=rounded(found.scale),
         schedule=timeline(plan),
         inferred_routes=tuple(inferred_routes(found)),

@@ -11,7 +11,44 @@ from .model_map import EventMark
 from .timeline import waits_at
 from .wording import MOST_NAMED, joined
 
-__all__ = ["event_mark"]
+__all__ = ["event_mark", "told_events"]
+
+
+def told_events(found: Findings) -> list[int]:
+    """Return which events pages show: who drive on together to a common end do not separate.
+
+    Parameters
+    ----------
+    found : Findings
+        Of the plan.
+
+    Returns
+    -------
+    list of int
+        Positions among the plan's events, in their order.
+    """
+    events = found.plan.events
+    return [number for number, event in enumerate(events) if not _at_common_end(found, event)]
+
+
+def _at_common_end(found: Findings, event: Event) -> bool:
+    return event.kind == "separation" and _end_of_all(found, event.stretch)
+
+
+def _arrive_together(found: Findings, event: Event) -> bool:
+    """Return whether those who join, and all who drive with them last, arrive in company."""
+    ends = {found.plan.ways[mover][-1] for mover in event.movers}
+    return len(ends) == 1 and _end_of_all(found, *ends)
+
+
+def _end_of_all(found: Findings, stretch: int) -> bool:
+    """Return whether a stretch of a platoon is the last of all who drive it."""
+    company = found.plan.stretches[stretch].company
+    return len(company) > 1 and all(_ends_with(found, who, stretch) for who in company)
+
+
+def _ends_with(found: Findings, vehicle: int, stretch: int) -> bool:
+    return found.plan.ways[vehicle][-1] == stretch
 
 
 def event_mark(found: Findings, number: int) -> EventMark:
@@ -55,6 +92,8 @@ def _text(found: Findings, event: Event, at_s: float | None) -> str:
     elif event.kind == "merge":
         whom = joined(others) if 0 < len(others) <= MOST_NAMED else "the platoon"
         what = f"{movers} {'joins' if one else 'join'} {whom}"
+    elif all(_ends_with(found, who, event.stretch) for who in event.movers):
+        what = f"{movers} {'arrives' if one else 'arrive'}"
     else:
         what = f"{movers} {'leaves' if one else 'leave'}"
     table = found.plan.timetable
@@ -85,14 +124,18 @@ def _detail(found: Findings, event: Event) -> str:
     road = shortened(shown(found.net.edge_ref(edge)), 40)
     first = found.plan.vehicles[event.movers[0]]
     parts = [road]
-    if len(event.movers) == 1 and event.kind == "merge":
+    one, at_end = len(event.movers) == 1, _ends_with(found, event.movers[0], event.stretch)
+    if one and event.kind == "merge":
         km = first.merge.km if first.merge else 0.0
         parts.append(
             f"{kilometres(km * 1000)} from {fitted(first.origin.name)}"
             if km >= 0.05
             else "at its start"
         )
-    elif len(event.movers) == 1:
+    elif one:
         parts.append(f"after {kilometres(first.platoon_m)} in platoon")
-        parts.append(f"towards {fitted(first.destination.name)}")
+        if not at_end:
+            parts.append(f"towards {fitted(first.destination.name)}")
+    if event.kind == "merge" and _arrive_together(found, event):
+        parts.append(f"arriving together at {fitted(first.destination.name)}")
     return ", ".join(part for part in parts if part)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from ...shown_text import fitted, shortened, shown
 from ..markup.quantities import clock_span, kilometres, litres, percent, true_minus
+from .event_marks import told_events
 from .findings import Findings
 from .model import Figure, Group, Totals
 from .wording import cost_texts, counted, joined
@@ -49,15 +50,16 @@ def subtitle_of(found: Findings) -> str:
     str
         In one line.
     """
-    merges = sum(event.kind == "merge" for event in found.plan.events)
+    kinds = [found.plan.events[number].kind for number in told_events(found)]
+    merges, separations = kinds.count("merge"), kinds.count("separation")
     parts = [counted(len(found.plan.vehicles), "vehicle", "vehicles")]
     if len(found.groups) > 1:
         parts.append(f"{len(found.groups)} platoons")
-    if found.plan.events:
+    if merges:
         parts.append(counted(merges, "merge point", "merge points"))
-        separations = len(found.plan.events) - merges
+    if separations:
         parts.append(counted(separations, "separation point", "separation points"))
-    else:
+    if not found.groups:
         parts.append("no platoon")
     return ", ".join(parts)
 
