@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-__all__ = ["fitted", "shortened", "shown"]
+__all__ = ["fitted", "shortened", "shown", "well_formed"]
 
 REPLACEMENT = "\ufffd"
 
@@ -29,6 +29,25 @@ _UNFIT = re.compile(
     "\ufff9-\ufffb\ufdd0-\ufdef\ufffe\uffff\ud800-\udfff\U000e0001]"
 )
 _BLANK = re.compile("[\t\n\r ]+")
+_HALVES = re.compile("[\ud800-\udfff]")
+
+
+def well_formed(text: str) -> str:
+    """Return a text that UTF-8 has bytes for: U+FFFD stands for halves of characters.
+
+    Such halves come from JSON, and from names of files that are no UTF-8.
+
+    Parameters
+    ----------
+    text : str
+        Any.
+
+    Returns
+    -------
+    str
+        The same, unless it holds lone surrogates.
+    """
+    return _HALVES.sub(REPLACEMENT, text)
 
 
 def shown(text: object) -> str:

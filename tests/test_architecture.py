@@ -15,7 +15,7 @@ PACKAGE = ROOT / "platoon_osm"
 WALLS = {
     "": (
         "errors", "kinds", "registry", "interrupts", "leftovers", "output_paths", "atomic_file",
-        "shown_text", "offers", "network", "sources", "search",
+        "shown_text", "csv_tables", "offers", "network", "sources", "search",
         "costs", "plans", "driving", "planning", "study", "report", "cli",
     ),
     "network": ("towns", "preparing", "saved"),

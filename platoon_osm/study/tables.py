@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..atomic_file import whole_file
+from ..csv_tables import write_table
 from .comparison import PRINTED, Row, network_label
 from .example import Example
 from .measures import INVOLVEMENTS, TOTALS, Measures
@@ -23,23 +23,8 @@ __all__ = [
 ]  # fmt: skip
 
 
-def write_csv(path: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    """Write a table; numbers to nine digits, so that the same numbers are the same bytes.
-
-    Parameters
-    ----------
-    path : Path
-        The file to write.
-    header : sequence of str
-        Names of the columns.
-    rows : iterable of sequence
-        As many values each as there are columns.
-    """
-    with whole_file(path) as draft, draft.open("w", encoding="utf-8", newline="") as handle:
-        writer = csv.writer(handle, lineterminator="\n")
-        writer.writerow(header)
-        for row in rows:
-            writer.writerow([f"{v:.9g}" if isinstance(v, float) else v for v in row])
+DIGITS = 9
+"""Of numbers in CSV, so that the same numbers are the same bytes."""
 
 
 def write_comparison(path: Path, rows: Sequence[Row]) -> None:
@@ -56,7 +41,7 @@ def write_comparison(path: Path, rows: Sequence[Row]) -> None:
         "number", "paper", "unit", "network", "mixing", "terms", "counted", "method", "ours",
         "low_95", "high_95", "agrees",
     ]  # fmt: skip
-    write_csv(path, header, (
+    write_table(path, header, (
         [
             PRINTED[row.number].label,
             " to ".join(f"{v:g}" for v in PRINTED[row.number].value), PRINTED[row.number].unit,
@@ -64,7 +49,7 @@ def write_comparison(path: Path, rows: Sequence[Row]) -> None:
             row.ours.low, row.ours.high, int(row.agrees()),
         ]
         for row in rows
-    ))  # fmt: skip
+    ), DIGITS)  # fmt: skip
 
 
 def write_costs(path: Path, results: Sequence[StudyResult]) -> None:
@@ -99,7 +84,7 @@ def write_costs(path: Path, results: Sequence[StudyResult]) -> None:
                                 float(a) / 1000, float(b) / 1000, 100 * (1 - float(b) / float(a)),
                             ]  # fmt: skip
 
-    write_csv(path, header, rows())
+    write_table(path, header, rows(), DIGITS)
 
 
 def write_involvement(path: Path, results: Sequence[StudyResult], method: str) -> None:
@@ -133,7 +118,7 @@ def write_involvement(path: Path, results: Sequence[StudyResult], method: str) -
                             100 * tau, 100 * xi, 100 * float(share),
                         ]  # fmt: skip
 
-    write_csv(path, header, rows())
+    write_table(path, header, rows(), DIGITS)
 
 
 def write_network(path: Path, examples: Sequence[tuple[str, Example]]) -> None:
@@ -166,7 +151,7 @@ def write_network(path: Path, examples: Sequence[tuple[str, Example]]) -> None:
                 at = (float(draw.x_m[node]) / 1000, float(draw.y_m[node]) / 1000)
                 yield [label, "spawn point", vehicle, *at, "", ""]
 
-    write_csv(path, header, rows())
+    write_table(path, header, rows(), DIGITS)
 
 
 def _ends(draw: Draw, edge: int) -> tuple[float, ...]:

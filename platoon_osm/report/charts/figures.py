@@ -5,7 +5,6 @@ Every text is drawn as it stands: matplotlib would read `$` as the beginning of 
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from ...atomic_file import all_or_none, whole_file
 from ...costs.weights import EdgeWeights
+from ...csv_tables import write_table
 from ...errors import ScenarioError, brief
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 __all__ = ["write_figures"]
 
 FORMATS = ("png", "svg", "pdf")
+
+DIGITS = 6
+"""Of seconds in the table."""
 
 
 def write_figures(
@@ -86,12 +89,7 @@ def write_figures(
                 written.append(path)
         if document.schedule is not None:
             path = folder / "schedule.csv"
-            with (
-                whole_file(path, suffixes=(".csv",)) as draft,
-                draft.open("w", encoding="utf-8", newline="") as handle,
-            ):
-                table = csv.writer(handle, lineterminator="\n")
-                table.writerows([COLUMNS, *schedule_rows(document, document.schedule)])
+            write_table(path, COLUMNS, schedule_rows(document, document.schedule), DIGITS)
             written.append(path)
     return written
 

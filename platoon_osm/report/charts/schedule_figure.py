@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 __all__ = ["COLUMNS", "draw_schedule", "schedule_rows"]
 
+Row = tuple[str | float, ...]
+
 COLUMNS = ("vehicle", "does", "with", "begin", "end", "begin_s", "end_s")
 
 
@@ -95,7 +97,7 @@ def draw_schedule(
     )
 
 
-def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[tuple[str, ...]]:
+def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[Row]:
     """Yield what each vehicle does from when to when.
 
     Parameters
@@ -107,7 +109,7 @@ def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[tuple[s
 
     Yields
     ------
-    tuple of str
+    tuple of str and float
         In the order of `COLUMNS`.
     """
     clock, vehicles = schedule.clock, document.vehicles
@@ -126,6 +128,6 @@ def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[tuple[s
             last = end
 
 
-def _row(clock: Clock, what: tuple[str, str, str], begin: float, end: float) -> tuple[str, ...]:
+def _row(clock: Clock, what: tuple[str, str, str], begin: float, end: float) -> Row:
     moments = (clock.moment(round(at)).isoformat() for at in (begin, end))
-    return (*what, *moments, f"{begin:g}", f"{end:g}")
+    return (*what, *moments, float(begin), float(end))

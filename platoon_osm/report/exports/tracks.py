@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import os
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterator
@@ -13,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...atomic_file import all_or_none, whole_file
+from ...csv_tables import write_table
 from ...network.road_network import RoadNetwork
 from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
@@ -24,7 +24,7 @@ from ..document.checks import check_path, check_plan
 from ..document.provenance import credits
 from ..markup.quantities import kilometres
 from .file_names import file_stems
-from .legs import Cell, leg_columns, leg_rows
+from .legs import leg_columns, leg_rows
 
 __all__ = ["write_csv", "write_gpx"]
 
@@ -32,10 +32,10 @@ GPX = "http://www.topografix.com/GPX/1/1"
 
 TIMES_LEFT_OUT = "times left out: those of the plan name no time zone, and GPX wants UTC"
 
-IN_WORDS = {"platoon": "in platoon", "access": "between the road and a place beside it"}
+DIGITS = 6
+"""Of numbers in CSV; more would say more than a plan knows."""
 
-FORMULA_SIGNS = ("=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20")
-"""Full-width ones count in some spreadsheets."""
+IN_WORDS = {"platoon": "in platoon", "access": "between the road and a place beside it"}
 
 
 def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
@@ -170,7 +170,7 @@ def _child(
 def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
     """Write the legs of a plan as CSV in UTF-8, with the columns of `to_geodataframe`.
 
-    A text that a spreadsheet would run as a formula gets an apostrophe in front of it.
+    Where a spreadsheet would run a text as a formula, it gets an apostrophe.
 
     Parameters
     ----------
@@ -188,17 +188,4 @@ def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> Non
     """
     path = check_path(path)
     columns = leg_columns(plan, leg_rows(plan, net))
-    with (
-        whole_file(path, suffixes=(".csv",)) as draft,
-        draft.open("w", encoding="utf-8", newline="") as handle,
-    ):
-        writer = csv.writer(handle, lineterminator="\n")
-        writer.writerow(columns)
-        for row in zip(*columns.values(), strict=True):
-            writer.writerow([_cell(value) for value in row])
-
-
-def _cell(value: Cell) -> Cell:
-    if isinstance(value, str) and value.startswith(FORMULA_SIGNS):
-        return f"'{value}"
-    return f"{value:.6g}" if isinstance(value, float) else value
+    write_table(path, list(columns), zip(*columns.values(), strict=True), DIGITS)
