@@ -1,6 +1,7 @@
 """The walls of the house: who may import whom, and what an import may cost."""
 
 import ast
+import functools
 import subprocess
 import sys
 from graphlib import CycleError, TopologicalSorter
@@ -23,7 +24,7 @@ WALLS = {
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "planning": ("timing", "company", "scenario"),
-    "report": ("markup", "drawing", "document", "maps", "charts", "exports", "pages"),
+    "report": ("language", "markup", "drawing", "document", "maps", "charts", "exports", "pages"),
     "cli": ("verbs",),
 }  # fmt: skip
 """The order of the parts of each folder that has folders inside: each may import those to its left.
@@ -35,7 +36,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 NAMES = [str(path.relative_to(PACKAGE)) for path in MODULES]
 HEAVY = (
     "numpy", "scipy", "networkx", "geopandas", "folium", "osmium", "osmnx", "shapely", "rich",
-    "numba", "matplotlib", "pyarrow",
+    "numba", "matplotlib", "pyarrow", "babel",
 )  # fmt: skip
 FRONT_DOOR = {"platoon_osm", "platoon_osm._version"}
 """The front door names everything and loads it when first used; the version is a number."""
@@ -71,6 +72,7 @@ def imports(source, package):
     return found & KNOWN - FRONT_DOOR
 
 
+@functools.cache
 def arrows():
     """Return for each module of the package those it imports."""
     return {

@@ -16,7 +16,16 @@ from datetime import UTC, datetime, timedelta, timezone
 from ..errors import ScenarioError, brief
 from ..kinds import is_number
 
-__all__ = ["MENTIONED_S", "Clock", "Offsets", "duration", "late_by", "whole_minutes"]
+__all__ = [
+    "MENTIONED_S",
+    "Clock",
+    "ClockFace",
+    "Offsets",
+    "ZoneSpell",
+    "duration",
+    "late_by",
+    "whole_minutes",
+]
 
 Offsets = tuple[tuple[float, float], ...]
 
@@ -24,6 +33,60 @@ DAY_S = 86_400
 
 MENTIONED_S = 30.0
 """A wait shorter than this is 0 min everywhere, and not worth telling."""
+
+
+@dataclass(frozen=True, slots=True)
+class ClockFace:
+    """What clocks show at a moment.
+
+    Attributes
+    ----------
+    days : int
+        After the day on which the plan's clock starts.
+    minute : int
+        Of the day, 0 to 1439.
+    twice : str
+        The offset from UTC if clocks show this time twice, such as "UTC+1"; else empty.
+    """
+
+    days: int
+    minute: int
+    twice: str = ""
+
+    @classmethod
+    def of(cls, minutes: int, twice: str = "") -> ClockFace:
+        """Return the face for a number of minutes.
+
+        Parameters
+        ----------
+        minutes : int
+            Since midnight of the first day; below 0 on the day before.
+        twice : str
+            As above.
+
+        Returns
+        -------
+        ClockFace
+            With whole days taken off.
+        """
+        days, minute = divmod(minutes, 24 * 60)
+        return cls(days, minute, twice)
+
+
+@dataclass(frozen=True, slots=True)
+class ZoneSpell:
+    """A time during which clocks do not change.
+
+    Attributes
+    ----------
+    offset : str
+        From UTC, such as "UTC+01:00".
+    until : ClockFace or None
+        What clocks show when it ends, in its own offset; None if it does not.
+    """
+
+    offset: str
+    until: ClockFace | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,17 +215,25 @@ class Clock:
     @property
     def zone(self) -> str:
         """The zone of all times and its offset, when it changes; "local time" if none was named."""
-        if self.start.utcoffset() is None:
+        if not (spells := self.zone_spells):
             return "local time"
-        spells = [_utc(self._own_offset)]
-        if self.offsets:
-            spells = [_utc(self.offsets[0][1])]
-            for (_, before), (at, after) in itertools.pairwise(self.offsets):
-                minutes = whole_minutes(self.since_midnight_s + at + before - self._own_offset)
-                spells[-1] += f" until {_of_day(minutes)}"
-                spells.append(_utc(after))
-        text = ", then ".join(spells)
+        text = spells[0].offset
+        for before, after in itertools.pairwise(spells):
+            text += f" until {_of_day(before.until)}, then {after.offset}"
         return text if self.name in ("", text) else f"{self.name} ({text})"
+
+    @property
+    def zone_spells(self) -> tuple[ZoneSpell, ...]:
+        """The offsets from UTC by which clocks go, in order; empty if no zone was named."""
+        if self.start.utcoffset() is None:
+            return ()
+        if not self.offsets:
+            return (ZoneSpell(_utc(self._own_offset)),)
+        spells = []
+        for (_, offset), (at, _) in itertools.pairwise(self.offsets):
+            minutes = whole_minutes(self.since_midnight_s + at + offset - self._own_offset)
+            spells.append(ZoneSpell(_utc(offset), ClockFace.of(minutes)))
+        return (*spells, ZoneSpell(_utc(self.offsets[-1][1])))
 
     @property
     def _own_offset(self) -> float:
@@ -213,15 +284,31 @@ class Clock:
             Hours and minutes, with the number of days if it is another day, and with the offset if
             clocks show this time twice.
         """
+        face = self.face(seconds)
+        return f"{_of_day(face)} {face.twice}" if face.twice else _of_day(face)
+
+    def face(self, seconds: float) -> ClockFace:
+        """Return what clocks show at a moment, to the minute.
+
+        Parameters
+        ----------
+        seconds : float
+            After the start.
+
+        Returns
+        -------
+        ClockFace
+            In the offset from UTC that holds then.
+        """
         minutes = whole_minutes(self.since_midnight_s + seconds)
         at = minutes * 60 - self.since_midnight_s
         offset = self._offset(at)
-        shown = _of_day(minutes + round((offset - self._own_offset) / 60))
         twice = any(
             other != offset and self._offset(at + offset - other) == other
             for _, other in self.offsets
         )
-        return f"{shown} {_short(offset)}" if twice else shown
+        shift = round((offset - self._own_offset) / 60)
+        return ClockFace.of(minutes + shift, _short(offset) if twice else "")
 
     def iso(self, seconds: float) -> str:
         """Return the moment to the second in ISO 8601.
@@ -239,10 +326,12 @@ class Clock:
         return self.moment(round(seconds)).isoformat(timespec="seconds")
 
 
-def _of_day(minutes: int) -> str:
-    """Return minutes since midnight as a time of day."""
-    days, minute = divmod(minutes, 24 * 60)
-    return f"{minute // 60:02d}:{minute % 60:02d}" + (f" {days:+d} d" if days else "")
+def _of_day(face: ClockFace | None) -> str:
+    """Return a time of day; a spell that never ends has none."""
+    if face is None:
+        return ""
+    hours, minutes = divmod(face.minute, 60)
+    return f"{hours:02d}:{minutes:02d}" + (f" {face.days:+d} d" if face.days else "")
 
 
 def _utc(offset_s: float) -> str:

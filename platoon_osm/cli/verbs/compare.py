@@ -13,6 +13,7 @@ import click
 from ...errors import ScenarioError
 from ...output_paths import PAGES, Output, check_outputs
 from ..exit_status import end_if_late
+from ..language import language_options
 from ..options import FILE, output_option
 from ..outputs import existing_files, speaker, write_all
 from ..progress import steps
@@ -35,6 +36,7 @@ Examples:
 @click.argument("scenario", type=FILE, nargs=-1, required=True)
 @click.option("--cases", help="Such as A,B,C: each scenario in each of these cases.")
 @output_option("page.html to write.", PAGES, is_text=True)
+@language_options
 def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
     """Plan each SCENARIO, in one case or several, and write a page that shows them side by side.
 

@@ -9,6 +9,7 @@ import click
 
 from ...output_paths import Output, check_outputs
 from ..exit_status import end_if_late
+from ..language import language_options
 from ..outputs import output_kind, write_all
 from ..progress import steps
 
@@ -23,6 +24,7 @@ SCENARIOS = ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c")
     "-o", "--output", type=output_kind("-o", holds=("demo.html", "demo.gpkg")), metavar="FOLDER",
     default="out", help="Folder to write into.",
 )  # fmt: skip
+@language_options
 def verb(output: Output) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
 

@@ -14,6 +14,7 @@ from ...output_paths import check_outputs
 from ...report.exporters import EXPORTERS, Exporter
 from ..asked import asked_options, asked_scenario
 from ..exit_status import end_if_late
+from ..language import language_options
 from ..options import FILE, SectionOption, Sections
 from ..outputs import existing_files, output_kind, speaker, tell_written, write_all
 from ..progress import steps
@@ -71,6 +72,7 @@ Examples:
 )
 @click.argument("scenario", type=FILE, required=False)
 @asked_options
+@language_options
 def verb(scenario: Path | None, **given: Any) -> None:
     """Plan SCENARIO, print who joins whom and what each saves, and write what is asked for.
 

@@ -21,5 +21,21 @@ function drawn(tag, attributes, ...children) {
 /* A name between a first strong isolate and its end, for places that take no elements. */
 const isolated = (text) => `\u2068${text}\u2069`;
 
-return { element, drawn, isolated };
+/* Texts of the page's language; one with plural forms is chosen by `n`. */
+const { texts, language, clock } = JSON.parse(document.getElementById("page-texts").textContent);
+const plurals = new Intl.PluralRules(language);
+
+const number = (value, decimals = 0) =>
+  value.toLocaleString(language, {
+    minimumFractionDigits: decimals, maximumFractionDigits: decimals, useGrouping: "always",
+  });
+
+function say(key, fields = {}) {
+  const entry = texts[key];
+  const text = typeof entry === "string" ? entry : entry[plurals.select(fields.n)] ?? entry.other;
+  const shown = typeof fields.n === "number" ? { ...fields, n: number(fields.n) } : fields;
+  return text.replace(/\{(\w+)\}/g, (_, name) => shown[name]);
+}
+
+return { element, drawn, isolated, say, number, language, clock };
 })();

@@ -23,6 +23,7 @@ from ..document.model import Document
 from ..document.model_day import DaySchedule, JourneyScale
 from ..document.model_vehicle import Vehicle
 from ..drawing.palette import MUTED, PAPER, PLATOON, PLATOON_CASING
+from ..language.speech import speaking
 from .figure_map import corridor
 from .paper import METADATA, axes_of, dash_of, drawing
 from .schedule_figure import COLUMNS, draw_schedule, schedule_rows
@@ -45,6 +46,8 @@ def write_figures(
     *,
     formats: Sequence[str] = FORMATS,
     weights: EdgeWeights | None = None,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> list[Path]:
     """Write the figures of a plan into a folder that exists.
 
@@ -65,6 +68,10 @@ def write_figures(
         Of "png" (300 dpi), "svg" and "pdf".
     weights : EdgeWeights or None
         Those the plan was made with; see `report_document`.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Returns
     -------
@@ -78,9 +85,9 @@ def write_figures(
     """
     _check_formats(formats)
     folder = check_path(folder)
-    document = document_of(plan, net, weights=weights)
     written: list[Path] = []
-    with all_or_none(), drawing():
+    with speaking(language, clock), all_or_none(), drawing():
+        document = document_of(plan, net, weights=weights)
         for name, figure in _figures(document):
             for kind in formats:
                 path = folder / f"{name}.{kind}"

@@ -15,6 +15,7 @@ from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ..drawing.basemap import network_lines
 from ..drawing.vehicle_styles import VehicleStyle
+from ..language.speech import speaking, spoken
 from .as_json import as_json
 from .checks import check_title
 from .event_marks import event_mark, told_events
@@ -41,6 +42,8 @@ def report_document(
     title: str | None = None,
     weights: EdgeWeights | None = None,
     styles: Mapping[str, VehicleStyle] | None = None,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> dict[str, Any]:
     """Return the document of a plan, plain JSON types throughout.
 
@@ -58,6 +61,10 @@ def report_document(
     styles : mapping of str to VehicleStyle, or None
         Letter, colour and dash of each vehicle by its name; by default their own. Several
         documents that share a page share these.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Returns
     -------
@@ -70,7 +77,9 @@ def report_document(
         A plan of another network, without vehicles, with two vehicles of one name, or weights
         that do not fit it.
     """
-    document = document_of(plan, net, title=title, weights=weights, styles=styles)
+    document = document_of(
+        plan, net, title=title, weights=weights, styles=styles, language=language, clock=clock
+    )
     return as_json(document)  # type: ignore[no-any-return]
 
 
@@ -81,6 +90,8 @@ def document_of(
     title: str | None = None,
     weights: EdgeWeights | None = None,
     styles: Mapping[str, VehicleStyle] | None = None,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> Document:
     """Return the document of a plan as records; as `report_document` otherwise.
 
@@ -96,6 +107,10 @@ def document_of(
         Those the plan was made with.
     styles : mapping of str to VehicleStyle, or None
         How each vehicle looks, by its name.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Returns
     -------
@@ -108,10 +123,23 @@ def document_of(
         As in `report_document`.
     """
     check_title(title)
+    with speaking(language, clock):
+        return _document(plan, net, title, weights, styles)
+
+
+def _document(
+    plan: Plan,
+    net: RoadNetwork,
+    title: str | None,
+    weights: EdgeWeights | None,
+    styles: Mapping[str, VehicleStyle] | None,
+) -> Document:
     found = find(plan, net, weights, styles)
     return Document(
         format="platoon_osm report",
         version=DOCUMENT_VERSION,
+        language=spoken().code,
+        clock=spoken().clock,
         title=title_of(found, title),
         subtitle=subtitle_of(found),
         cost_unit=CostLabel(found.unit.label, found.unit.note, found.unit.scale),

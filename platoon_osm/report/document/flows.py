@@ -16,6 +16,7 @@ from ...plans.plan import Plan
 from ..drawing.basemap import ROUTE_STEPS, ROUTE_TOLERANCE_M, basemap_lines
 from ..drawing.lines import Lines
 from ..drawing.ticks import round_step
+from ..language.speech import speaking
 from .as_json import as_json
 from .document import document_of
 from .model import Document
@@ -92,7 +93,14 @@ class FlowDocument:
     histogram: Histogram
 
 
-def flow_document(plan: Plan, net: RoadNetwork, *, title: str | None = None) -> dict[str, Any]:
+def flow_document(
+    plan: Plan,
+    net: RoadNetwork,
+    *,
+    title: str | None = None,
+    language: str | None = None,
+    clock: int | None = None,
+) -> dict[str, Any]:
     """Return what the page for many vehicles shows as plain JSON types.
 
     Parameters
@@ -103,6 +111,10 @@ def flow_document(plan: Plan, net: RoadNetwork, *, title: str | None = None) -> 
         The network the plan was made on.
     title : str or None
         Heads the page; by default made from the first vehicle's journey.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Returns
     -------
@@ -114,7 +126,8 @@ def flow_document(plan: Plan, net: RoadNetwork, *, title: str | None = None) -> 
     ScenarioError
         As in `report_document`.
     """
-    found = flow_document_of(plan, net, title=title)
+    with speaking(language, clock):
+        found = flow_document_of(plan, net, title=title)
     return {
         **as_json(found.document),
         "format": "platoon_osm flows",

@@ -183,6 +183,10 @@ class Document:
         "platoon_osm report".
     version : int
         Of the format.
+    language : str
+        That all its texts are in, BCP 47.
+    clock : int
+        The hours on the face of its clock, 24 or 12.
     title, subtitle : str
         Head the page.
     cost_unit : CostLabel
@@ -217,6 +221,8 @@ class Document:
 
     format: str
     version: int
+    language: str
+    clock: int
     title: str
     subtitle: str
     cost_unit: CostLabel

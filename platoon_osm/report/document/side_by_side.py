@@ -11,6 +11,7 @@ from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
 from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
+from ..language.speech import speaking
 from .as_json import as_json
 from .checks import check_plan, check_title, check_titles
 from .document import document_of
@@ -56,6 +57,8 @@ def comparison_document(
     *,
     titles: Sequence[str] | None = None,
     title: str = SIDE_BY_SIDE,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> dict[str, Any]:
     """Return what the page of several plans shows as plain JSON types.
 
@@ -69,6 +72,10 @@ def comparison_document(
         Of the plans; by default their cases.
     title : str
         Heads the page.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Returns
     -------
@@ -80,7 +87,8 @@ def comparison_document(
     ScenarioError
         No plans, a plan of another network, or titles of another number.
     """
-    return as_json(comparison_of(plans, net, titles=titles, title=title))  # type: ignore[no-any-return]
+    with speaking(language, clock):
+        return as_json(comparison_of(plans, net, titles=titles, title=title))  # type: ignore[no-any-return]
 
 
 def comparison_of(

@@ -17,6 +17,10 @@ from importlib.resources import files
 from string import Template
 from typing import TypeAlias
 
+from ..language.languages import Language
+from ..language.speech import spoken
+from .security import json_for_html
+
 __all__ = [
     "NOTHING",
     "Markup",
@@ -24,6 +28,7 @@ __all__ = [
     "Tree",
     "asset",
     "compact_asset",
+    "page_texts",
     "written",
     "written_page",
 ]
@@ -41,6 +46,7 @@ FRAGMENT_FILES = (
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)
 _PLACEHOLDER = re.compile(r"\$(\w+|\{\w+\})")
+_TEXT = re.compile(r"@\{([\w.-]+)\}")
 
 
 class Markup(str):
@@ -110,19 +116,26 @@ def compact_asset(name: str) -> Markup:
 
 
 @functools.cache
-def _fragments() -> Mapping[str, tuple[str, ...]]:
+def _fragments(language: Language) -> Mapping[str, tuple[str, ...]]:
     """Read all fragment files: each fragment begins with a comment that names it.
 
-    Its text stands cut at its placeholders: every second part is the name of one.
+    Its text stands cut at its placeholders: every second part is the name of one. Words are put in
+    from the catalogue of a language.
     """
     found: dict[str, tuple[str, ...]] = {}
     for name in FRAGMENT_FILES:
         parts = _FRAGMENT.split(asset(name))
         for label, body in zip(parts[1::2], parts[2::2], strict=True):
             texts = _PLACEHOLDER.split(body.strip("\n"))
+            texts[0::2] = (_worded(text, language) for text in texts[0::2])
             texts[1::2] = (text.strip("{}") for text in texts[1::2])
             found[label] = tuple(texts)
     return found
+
+
+def _worded(text: str, language: Language) -> str:
+    """Put words of a language in for @{their.key}."""
+    return _TEXT.sub(lambda found: html.escape(language.say(found[1]), quote=True), text)
 
 
 def written(tree: Tree) -> Markup:
@@ -146,7 +159,7 @@ def written(tree: Tree) -> Markup:
         A fragment that does not exist, or a placeholder without a value.
     """
     out: list[str] = []
-    _write(tree, _fragments(), out)
+    _write(tree, _fragments(spoken()), out)
     return Markup("".join(out))
 
 
@@ -165,6 +178,19 @@ def _write(value: object, fragments: Mapping[str, tuple[str, ...]], out: list[st
             _write(part, fragments, out)
     else:
         out.append(value if isinstance(value, Markup) else html.escape(str(value), quote=True))
+
+
+def page_texts() -> Markup:
+    """Return the texts that the script of a page uses, in the language that is spoken.
+
+    Returns
+    -------
+    Markup
+        JSON for elements.js: `language`, `clock` and `texts`.
+    """
+    language = spoken()
+    data = {"language": language.code, "clock": language.clock, "texts": language.of_script}
+    return Markup(json_for_html(data))
 
 
 def written_page(
@@ -194,5 +220,5 @@ def written_page(
     """
     text = f"{written(body)}\n{extra.strip()}".strip()
     return Template(asset(name)).substitute(
-        title=html.escape(title, quote=True), body=text, policy=policy, **parts
+        lang=spoken().code, title=html.escape(title, quote=True), body=text, policy=policy, **parts
     )

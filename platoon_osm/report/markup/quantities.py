@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from ...plans.clock import whole_minutes
 from ...shown_text import shortened, shown
+from ..language.speech import number, say
 
 __all__ = [
     "MINUS",
@@ -91,7 +92,7 @@ def kilometres(length_m: float) -> str:
         In kilometres.
     """
     km = length_m / 1000
-    return f"{km:.1f} km" if abs(km) < 9.95 else f"{km:,.0f} km"
+    return f"{number(km, 1 if abs(km) < 9.95 else 0)} km"
 
 
 def litres(fuel_l: float) -> str:
@@ -107,7 +108,7 @@ def litres(fuel_l: float) -> str:
     str
         With its unit.
     """
-    return f"{fuel_l:,.1f} l" if abs(fuel_l) < 999.5 else f"{fuel_l:,.0f} l"
+    return f"{number(fuel_l, 1 if abs(fuel_l) < 999.5 else 0)} l"
 
 
 def clock_span(seconds: float) -> str:
@@ -124,7 +125,7 @@ def clock_span(seconds: float) -> str:
         Rounded as all durations are.
     """
     hours, minutes = divmod(whole_minutes(seconds), 60)
-    return f"{hours:,}:{minutes:02d} h" if hours else f"{minutes} min"
+    return f"{number(hours)}:{minutes:02d} h" if hours else f"{minutes} min"
 
 
 def percent(share: float) -> str:
@@ -140,7 +141,7 @@ def percent(share: float) -> str:
     str
         In percent.
     """
-    return f"{share * 100:.1f}\u202f%"
+    return say("form.percent", number=number(share * 100, 1))
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,7 +182,7 @@ class CostUnit:
         str
             As it is printed.
         """
-        return true_minus(f"{cost * self.scale:,.{self.decimals}f}")
+        return true_minus(number(cost * self.scale, self.decimals))
 
     def bare_signed(self, cost: float) -> str:
         """Return a cost without its unit, with its sign.
@@ -196,7 +197,7 @@ class CostUnit:
         str
             As it is printed.
         """
-        return signed(f"{cost * self.scale:,.{self.decimals}f}")
+        return signed(number(cost * self.scale, self.decimals))
 
     def full(self, cost: float) -> str:
         """Return a cost with its unit.
@@ -228,12 +229,10 @@ def cost_unit(unit: str) -> CostUnit:
         How they are printed.
     """
     if unit == "m":
-        note = (
-            "Costs are in kilometre equivalents: distance, time and fuel, "
-            "each rescaled to kilometres and added up."
-        )
-        return CostUnit("km eq.", note, 1e-3, 1, "", "\u00a0km\u00a0eq.")
+        label = say("unit.km")
+        after = "\u00a0" + label.replace(" ", "\u00a0")
+        return CostUnit(label, say("unit.km-note"), 1e-3, 1, "", after)
     if unit == "EUR":
         return CostUnit("\u20ac", "", 1.0, 2, "\u20ac", "")
     name = shortened(shown(unit), 12)
-    return CostUnit(name or "cost", "", 1.0, 2, "", f"\u00a0{name}" if name else "")
+    return CostUnit(name or say("unit.cost"), "", 1.0, 2, "", f"\u00a0{name}" if name else "")

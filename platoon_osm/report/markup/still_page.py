@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .fragments import Piece, Tree, compact_asset, written, written_page
+from .fragments import Piece, Tree, compact_asset, page_texts, written, written_page
 from .security import policy
 
 __all__ = ["PAGE_STYLES", "still_page"]
@@ -38,5 +38,7 @@ def still_page(title: str, body: Tree, styles: Sequence[str], scripts: Sequence[
         title=title,
         style=style,
         body=body,
-        script=written(Piece("still-script", {"code": code})) if code else "",
+        script=written(Piece("still-script", {"texts": page_texts(), "code": code}))
+        if code
+        else "",
     )

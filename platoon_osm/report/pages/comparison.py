@@ -15,6 +15,7 @@ from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..document.side_by_side import SIDE_BY_SIDE, Comparison, comparison_of
 from ..drawing.palette import CROWD
+from ..language.speech import speaking
 from ..maps.static_map import small_maps
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, kilometres, litres, percent, true_minus
@@ -36,6 +37,8 @@ def write_comparison(
     *,
     titles: Sequence[str] | None = None,
     title: str = SIDE_BY_SIDE,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> None:
     """Write one page that sets plans of one network side by side; whole or not at all.
 
@@ -53,6 +56,10 @@ def write_comparison(
         Of the plans; by default their cases.
     title : str
         Heads the page.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Raises
     ------
@@ -60,7 +67,8 @@ def write_comparison(
         No plans, a plan of another network, or titles of another number.
     """
     path = check_path(path)
-    page = _page(comparison_of(plans, net, titles=titles, title=title))
+    with speaking(language, clock):
+        page = _page(comparison_of(plans, net, titles=titles, title=title))
     with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(page, encoding="utf-8", newline="\n")
 

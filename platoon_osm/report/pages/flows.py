@@ -13,6 +13,7 @@ from ..document.checks import check_path
 from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
 from ..drawing.palette import FLOWS, GAIN, LOSS
+from ..language.speech import speaking
 from ..maps.map_texts import placed_names
 from ..maps.map_view import MapView
 from ..maps.pixels import network_path, path_data, shifted, simplified
@@ -32,7 +33,13 @@ LEFT, RIGHT, TOP, BASE = 30.0, 366.0, 12.0, 150.0
 
 
 def write_flows(
-    plan: Plan, net: RoadNetwork, path: str | os.PathLike[str], *, title: str | None = None
+    plan: Plan,
+    net: RoadNetwork,
+    path: str | os.PathLike[str],
+    *,
+    title: str | None = None,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> None:
     """Write the page of a plan with many vehicles; whole or not at all.
 
@@ -49,6 +56,10 @@ def write_flows(
         Of the file; its folder must exist.
     title : str or None
         Heads the page; by default made from the first vehicle's journey.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Raises
     ------
@@ -56,7 +67,8 @@ def write_flows(
         A plan of another network, or a file that cannot be written.
     """
     path = check_path(path)
-    page = _page(flow_document_of(plan, net, title=title))
+    with speaking(language, clock):
+        page = _page(flow_document_of(plan, net, title=title))
     with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(page, encoding="utf-8", newline="\n")
 

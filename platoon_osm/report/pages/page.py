@@ -35,6 +35,8 @@ def write_html(
     tiles: str | None = None,
     leaflet_dir: str | os.PathLike[str] | None = None,
     weights: EdgeWeights | None = None,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> None:
     """Write a plan's report: map, figures, table, points and provenance in one file.
 
@@ -57,6 +59,10 @@ def write_html(
         Another copy of Leaflet 1.9.3; by default that of package XStatic-Leaflet.
     weights : EdgeWeights or None
         Those the plan was made with; see `report_document`.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Raises
     ------
@@ -65,7 +71,16 @@ def write_html(
         written.
     """
     path = check_path(path)
-    made = plan_map(plan, net, title=title, tiles=tiles, leaflet_dir=leaflet_dir, weights=weights)
+    made = plan_map(
+        plan,
+        net,
+        title=title,
+        tiles=tiles,
+        leaflet_dir=leaflet_dir,
+        weights=weights,
+        language=language,
+        clock=clock,
+    )
     text = made.get_root().render()
     with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")
@@ -79,6 +94,8 @@ def plan_map(
     tiles: str | None = None,
     leaflet_dir: str | os.PathLike[str] | None = None,
     weights: EdgeWeights | None = None,
+    language: str | None = None,
+    clock: int | None = None,
 ) -> folium.Map:
     """Return a plan's report as a `folium.Map`, whose page is that of `write_html`.
 
@@ -99,6 +116,10 @@ def plan_map(
         Another copy of Leaflet 1.9.3.
     weights : EdgeWeights or None
         Those the plan was made with; see `report_document`.
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
 
     Returns
     -------
@@ -112,7 +133,7 @@ def plan_map(
     """
     from .folium_map import PlanMap
 
-    document = document_of(plan, net, title=title, weights=weights)
+    document = document_of(plan, net, title=title, weights=weights, language=language, clock=clock)
     layer = None if tiles is None else online_map(tiles)
     if layer is not None:
         document = _crediting(document, layer)

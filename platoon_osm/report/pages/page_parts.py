@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from ..document.as_json import as_json
 from ..document.model import Document
-from ..markup.fragments import Piece, asset, compact_asset, written_page
+from ..language.speech import speaking
+from ..markup.fragments import Piece, asset, compact_asset, page_texts, written_page
 from ..markup.leaflet import Leaflet
 from ..markup.security import json_for_html, policy
 from ..markup.still_page import PAGE_STYLES
@@ -72,6 +73,10 @@ class PageParts:
         str
             HTML.
         """
+        with speaking(self.document.language, self.document.clock):
+            return self._spoken(map_id, header, extra, script)
+
+    def _spoken(self, map_id: str, header: str, extra: str, script: str) -> str:
         own = "".join(compact_asset(name) for name in SCRIPTS)
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
         own_style = "".join(compact_asset(name) for name in (*PAGE_STYLES, "schedule.css"))
@@ -88,6 +93,7 @@ class PageParts:
             header=header.strip(),
             body=body,
             extra=extra,
+            texts=page_texts(),
             data=json_for_html({**as_json(self.document), "tiles": as_json(tiles)}),
             leaflet_script=scripts[0],
             script=scripts[1],

@@ -1,0 +1,1 @@
+"""The languages of pages: one file of texts for each, and numbers and dates in its form."""

@@ -1,0 +1,165 @@
+"""One catalogue with the same keys in each language; numbers, times and dates in its form."""
+
+from __future__ import annotations
+
+import re
+import string
+from datetime import UTC, datetime
+from zoneinfo import ZoneInfo
+
+import pytest
+from babel import Locale
+from babel.numbers import format_decimal
+from hypothesis import given
+from hypothesis import strategies as st
+from places import ROOT
+
+from platoon_osm.errors import ScenarioError
+from platoon_osm.plans.clock import Clock
+from platoon_osm.plans.zones import clock_of
+from platoon_osm.report.language.languages import language_of, languages
+from platoon_osm.report.language.speech import (
+    clock_time,
+    day_and_date,
+    late_by,
+    number,
+    say,
+    speaking,
+    spoken,
+    zone_text,
+)
+from platoon_osm.report.markup.quantities import cost_unit, kilometres, percent
+
+REPORT = ROOT / "platoon_osm" / "report"
+
+EVENING = Clock.at(datetime(2026, 11, 27, 20, 5, tzinfo=UTC))
+
+
+def fields(text: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+
+
+@pytest.mark.parametrize("code", languages())
+def test_all_languages_say_the_same_things(code: str) -> None:
+    english, other = language_of("en").texts, language_of(code).texts
+    assert set(other) == set(english)
+    for key, text in english.items():
+        said = other[key]
+        forms = {"": said} if isinstance(said, str) else said
+        assert isinstance(text, str) == isinstance(said, str), key
+        wanted = fields(text) if isinstance(text, str) else set().union(*map(fields, text.values()))
+        for form in forms.values():
+            assert form.strip() == form != "", key
+            # "One vehicle" may do without its number.
+            assert fields(form) | {"n"} == wanted | {"n"}, key
+            assert "$" not in form, key
+        if not isinstance(said, str):
+            assert "other" in said, key
+            assert set(said) >= set(Locale.parse(code).plural_form.tags) - {"many", "few", "two"}, (
+                key
+            )
+
+
+def test_every_key_that_is_used_is_there_and_every_one_that_is_there_is_used() -> None:
+    texts = language_of("en").texts
+    said: set[str] = set()
+    for path in [*REPORT.rglob("*.py"), *(ROOT / "platoon_osm" / "study").rglob("*.py")]:
+        source = path.read_text("utf-8")
+        said.update(re.findall(r"""["']([a-z-]+\.[a-z][a-z0-9-]*)["']""", source))
+        for key in re.findall(r'\bsay\(\s*"([^"]+)"', source):
+            assert key in texts, (path, key)
+    for path in (REPORT / "assets").glob("*.html"):
+        for key in re.findall(r"@\{([^}]*)\}", path.read_text("utf-8")):
+            assert key in texts, (path, key)
+            said.add(key)
+    script = "".join(path.read_text("utf-8") for path in (REPORT / "assets").glob("*.js"))
+    for key in re.findall(r'\bsay\(\s*"([^"]+)"', script):
+        assert f"script.{key}" in texts, key
+    for key in texts:
+        if key.startswith("script."):
+            used = f'"{key.removeprefix("script.")}"' in script or key in said
+            assert used, f"{key} is said nowhere"
+        elif not key.startswith("plan."):
+            assert key in said, f"{key} is said nowhere"
+
+
+@pytest.mark.parametrize("code", ["en", "en-US", "de", "de-AT", "it"])
+@given(value=st.floats(-1e9, 1e9), decimals=st.integers(0, 3))
+def test_numbers_are_those_of_the_locale(code: str, value: float, decimals: int) -> None:
+    pattern = "#,##0" + ("." + "0" * decimals if decimals else "")
+    rounded = float(f"{value:.{decimals}f}")
+    with speaking(code) as language:
+        wanted = format_decimal(rounded, pattern, locale=language.locale)
+        assert number(value, decimals).lstrip("-") == wanted.lstrip("-\u2212")
+
+
+def test_it_is_spoken_for_a_while() -> None:
+    assert spoken().code == "en"
+    with speaking("de"):
+        assert say("clock.local") == "Ortszeit"
+        with speaking():
+            assert spoken().code == "de"
+        with speaking(clock=12):
+            assert (spoken().code, spoken().clock) == ("de", 12)
+        with speaking("it"):
+            assert say("clock.local") == "ora locale"
+        assert spoken().code == "de"
+    assert spoken().code == "en"
+
+
+def test_figures_in_each_language() -> None:
+    assert (kilometres(1_234_000), kilometres(1_230), percent(0.013)) == (
+        "1,234 km", "1.2 km", "1.3\u202f%",
+    )  # fmt: skip
+    with speaking("de"):
+        assert (kilometres(1_234_000), percent(0.013)) == ("1.234 km", "1,3\u202f%")
+        assert cost_unit("m").full(12_345_678) == "12.345,7\u00a0km-\u00c4q."
+    with speaking("it"):
+        assert percent(-0.013) == "-1,3%"
+        assert late_by(10) == "meno di un minuto"
+
+
+@pytest.mark.parametrize(
+    ("code", "clock", "text"),
+    [
+        ("en", None, "20:05"), ("en-US", None, "8:05\u00a0pm"), ("en-US", 24, "20:05"),
+        ("en", 12, "8:05\u00a0pm"), ("de", None, "20:05"), ("it", 12, "8:05\u00a0pm"),
+    ],
+)  # fmt: skip
+def test_clocks(code: str, clock: int | None, text: str) -> None:
+    with speaking(code, clock):
+        assert clock_time(EVENING, 0) == text
+
+
+@given(minutes=st.integers(-5_000, 5_000))
+def test_both_clocks_tell_the_same_time(minutes: int) -> None:
+    with speaking("en"):
+        assert clock_time(EVENING, 60 * minutes).replace("\u00a0", " ") == EVENING.text(
+            60 * minutes
+        )
+    with speaking("en", 12):
+        text = clock_time(EVENING, 60 * minutes).replace("\u00a0", " ")
+    shown = datetime.strptime(text.split(" +")[0].split(" -")[0], "%I:%M %p")
+    assert f"{shown:%H:%M}" == EVENING.text(60 * minutes)[:5]
+
+
+def test_days_and_zones() -> None:
+    night = clock_of(datetime(2026, 10, 24, 22, tzinfo=ZoneInfo("Europe/Rome")), 0, [12 * 3600.0])
+    assert zone_text(night) == night.zone
+    with speaking("de"):
+        assert day_and_date(night.start) == "Sa., 24. Okt. 2026"
+        assert zone_text(night) == "Europe/Rome (UTC+02:00 bis 03:00 +1 T, danach UTC+01:00)"
+    with speaking("en"):
+        assert day_and_date(night.start) == "Sat, 24 Oct 2026"
+
+
+@pytest.mark.parametrize("code", ["", "xx", "deutsch", "de-XX-YY-ZZ", "../en", "en\0", 7, None])
+def test_a_language_that_is_not_there_is_told_in_one_line(code: object) -> None:
+    with pytest.raises(ScenarioError, match="language") as told:
+        language_of(code)  # type: ignore[arg-type]
+    assert "\n" not in str(told.value)
+
+
+def test_a_clock_has_12_or_24_hours() -> None:
+    with pytest.raises(ScenarioError, match="24 or 12"):
+        language_of("en", 13)
