@@ -2,19 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
 from .plan import Plan
-from .records import MasterTried
 from .text_table import listed, named
 
-__all__ = ["leading_text"]
+__all__ = ["Leading", "leading", "leading_text"]
 
 SAME = 1e-9
 """Costs that differ by this share are the same."""
 
 
-def leading_text(plan: Plan) -> str:
+@dataclass(frozen=True, slots=True)
+class Leading:
+    """Who leads a plan, and who else might.
+
+    Attributes
+    ----------
+    who : str
+        The master's name.
+    others : tuple of str
+        Those who would give the best of the other plans; empty if no other was tried.
+    saving : float or None
+        The share of all costs saved with one of them in front; None if it is the same.
+    """
+
+    who: str
+    others: tuple[str, ...] = ()
+    saving: float | None = None
+
+
+def leading(plan: Plan) -> Leading | None:
     """Return who leads and what the runner-up would give.
 
     Parameters
@@ -24,29 +42,46 @@ def leading_text(plan: Plan) -> str:
 
     Returns
     -------
-    str
-        A sentence; empty if no master was chosen.
+    Leading or None
+        None if no master was chosen.
     """
     masters = [one.master for one in plan.platoons if one.master is not None]
     if not plan.masters or not masters or not any(one.together for one in plan.stretches):
-        return ""
+        return None
     chosen = masters[0]
-    lead = f"{named(plan.trips[chosen].vehicle)} leads"
+    who = plan.trips[chosen].vehicle
     others = sorted(
         (one for one in plan.masters if one.vehicle != chosen), key=lambda one: one.cost
     )
     if not others:
+        return Leading(who)
+    least = others[0].cost
+    level = least * (1 + SAME)
+    names = tuple(plan.trips[one.vehicle].vehicle for one in others if one.cost <= level)
+    if level >= plan.joint_cost >= level * (1 - 3 * SAME):
+        return Leading(who, names)
+    return Leading(who, names, 1 - least / plan.solo_cost if plan.solo_cost else 0.0)
+
+
+def leading_text(plan: Plan) -> str:
+    """Return who leads and what the runner-up would give, in a sentence.
+
+    Parameters
+    ----------
+    plan : Plan
+        Any.
+
+    Returns
+    -------
+    str
+        Empty if no master was chosen.
+    """
+    if (found := leading(plan)) is None:
+        return ""
+    lead = f"{named(found.who)} leads"
+    if not found.others:
         return f"{lead}."
-    level = others[0].cost * (1 + SAME)
-    same = [one for one in others if one.cost <= level]
-    names = listed([plan.trips[one.vehicle].vehicle for one in same])
-    names = f"any of {names}" if len(same) > 1 else names
-    gives = (
-        "the same" if level >= plan.joint_cost >= level * (1 - 3 * SAME) else _saving(plan, same)
-    )
+    names = listed(list(found.others))
+    names = f"any of {names}" if len(found.others) > 1 else names
+    gives = "the same" if found.saving is None else f"{found.saving:.1%} saved in all"
     return f"{lead}; with {names} in front it would be {gives}."
-
-
-def _saving(plan: Plan, same: Sequence[MasterTried]) -> str:
-    saved = 1 - same[0].cost / plan.solo_cost if plan.solo_cost else 0.0
-    return f"{saved:.1%} saved in all"

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import re
 import string
-from datetime import UTC, datetime
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
 from zoneinfo import ZoneInfo
 
+import numpy as np
 import pytest
 from babel import Locale
 from babel.numbers import format_decimal
 from hypothesis import given
 from hypothesis import strategies as st
 from places import ROOT
+from plan_kinds import italy
 
+from platoon_osm import PaperCosts, Trip, plan_joint
 from platoon_osm.errors import ScenarioError
 from platoon_osm.plans.clock import Clock
+from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.zones import clock_of
 from platoon_osm.report.language.languages import language_of, languages
+from platoon_osm.report.language.plan_sentences import in_language
 from platoon_osm.report.language.speech import (
     clock_time,
     day_and_date,
@@ -163,3 +169,61 @@ def test_a_language_that_is_not_there_is_told_in_one_line(code: object) -> None:
 def test_a_clock_has_12_or_24_hours() -> None:
     with pytest.raises(ScenarioError, match="24 or 12"):
         language_of("en", 13)
+
+
+PLAN_TEXTS = {key: text for key, text in language_of("en").texts.items() if key.startswith("plan.")}
+WORDS = st.text("abcXYZ 012'-", min_size=1, max_size=12).filter(lambda text: text == text.strip())
+
+
+@pytest.mark.parametrize("key", PLAN_TEXTS)
+@given(data=st.data())
+def test_a_sentence_of_a_plan_is_told_in_other_words(key: str, data: st.DataObject) -> None:
+    text = PLAN_TEXTS[key]
+    assert isinstance(text, str)
+    filled = {name: data.draw(WORDS) for name in fields(text)}
+    english = text.format_map(filled)
+    assert in_language(english) == english
+    with speaking("de"):
+        assert in_language(english) == say(key, **filled)
+
+
+def plans_on_italy() -> Iterator[Plan]:
+    """Plans by the planner with all that it has to remark: windows, cases, small platoons."""
+    net = italy()
+    weights = PaperCosts()
+    draw = np.random.default_rng(7)
+    cities = ("Torino", "Milano", "Bologna", "Verona", "Venezia", "Roma", "Napoli", "Genova")
+    six = datetime(2026, 11, 27, 6)
+    for case in ("A", "B", "C", "D", "best", "best"):
+        for windows in (None, 2, 30):
+            trips = []
+            for name in "KL" if case == "D" else "KLMN":
+                origin, destination = draw.choice(len(cities), 2, replace=False)
+                leave = six + timedelta(minutes=int(draw.integers(0, 90)))
+                times = {} if windows is None else {
+                    "earliest_departure": leave, "latest_arrival": leave + timedelta(hours=windows),
+                }  # fmt: skip
+                trips.append(Trip(name, cities[origin], cities[destination], **times))
+            for chosen in ({}, {"max_platoon": 2, "objective": "system"}):
+                yield plan_joint(net, weights, trips, case, **chosen)
+
+
+def test_all_that_the_planner_says_of_a_plan_is_told_in_other_words() -> None:
+    told = 0
+    with speaking("it"):
+        for plan in plans_on_italy():
+            said = [*plan.proof.conditions, *plan.remarks, *(one.reason for one in plan.vehicles)]
+            for sentence in filter(None, said):
+                assert in_language(sentence) != sentence, sentence
+                told += 1
+    assert told > 50
+
+
+def test_shares_in_sentences_have_the_signs_of_the_language() -> None:
+    sentence = (
+        "case D would save 3.2% in all, but T 7 would pay 1.5% more than alone; "
+        'ask for objective "system" and share the gain'
+    )
+    with speaking("de"):
+        assert "3,2\u202f%" in in_language(sentence)
+        assert "T 7 würde 1,5\u202f% mehr" in in_language(sentence)

@@ -1,0 +1,68 @@
+"""Sentences that plans carry in English, told in the language that is spoken.
+
+A plan is a file that anybody may read, so its reasons, conditions and remarks are written in it, in
+English. The catalogue's table [plan] has each of these sentences with {fields} for what changes; a
+sentence that fits one is told in the words of another language, any other as it stands.
+"""
+
+from __future__ import annotations
+
+import functools
+import re
+from string import Formatter
+
+from .languages import language_of
+from .speech import DEFAULT, number, say, spoken
+
+__all__ = ["in_language"]
+
+PLAN = "plan."
+
+_SHARE = re.compile(r"(-?\d+\.\d+)%")
+
+
+def in_language(sentence: str) -> str:
+    """Return a sentence of a plan in the language that is spoken.
+
+    Parameters
+    ----------
+    sentence : str
+        As the planner wrote it.
+
+    Returns
+    -------
+    str
+        The same in other words; as it is if the catalogue does not know it.
+    """
+    if spoken().texts is language_of(DEFAULT).texts:
+        return sentence
+    for key, pattern in _patterns():
+        if found := pattern.fullmatch(sentence):
+            return say(key, **{name: _figures(text) for name, text in found.groupdict().items()})
+    return sentence
+
+
+def _figures(text: str) -> str:
+    """Return a field with its decimals as the language writes them."""
+    if found := _SHARE.fullmatch(text):
+        decimals = len(found[1].partition(".")[2])
+        return say("form.percent", number=number(float(found[1]), decimals))
+    if re.fullmatch(r"\d+\.\d+", text):
+        return number(float(text), len(text.partition(".")[2]))
+    return text
+
+
+@functools.cache
+def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
+    """Return what each sentence looks like, those with most words of their own first."""
+    found = []
+    for key, text in language_of(DEFAULT).texts.items():
+        if key.startswith(PLAN) and isinstance(text, str):
+            parts = list(Formatter().parse(text))
+            source = "".join(
+                re.escape(before) + (f"(?P<{name}>.+?)" if name else "")
+                for before, name, _, _ in parts
+            )
+            own = sum(len(before) for before, _, _, _ in parts)
+            found.append((-own, key, re.compile(source, re.DOTALL)))
+    return tuple((key, pattern) for _, key, pattern in sorted(found, key=lambda one: one[:2]))
