@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...plans.records import Stop as PlannedStop
 from ...plans.vehicles import VehiclePlan
 from ...shown_text import fitted
+from ..language.plan_sentences import in_language
 from ..markup.quantities import kilometres
 from .driver_fatigue import fatigue_along
 from .findings import Findings
@@ -75,7 +76,7 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         saving=own.saving,
         platoon_gain=platoon_gain,
         detour=detour,
-        reason=fitted(own.reason),
+        reason=fitted(in_language(own.reason)),
         way=found.ways[index],
         text=VehicleTexts(
             costs.alone,

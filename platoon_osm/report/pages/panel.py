@@ -11,6 +11,7 @@ from ..charts.waiting_bars import waiting_bars
 from ..document.model import Document, Group
 from ..document.model_vehicle import CostTexts, Vehicle
 from ..drawing.crowd import CROWD
+from ..language.speech import say
 from ..maps.static_map import static_map
 from ..markup.fragments import NOTHING, Piece, Tree
 from .cost_bars import cost_bars
@@ -75,7 +76,7 @@ def _vehicles(document: Document) -> Piece:
     groups, every = document.groups, range(len(document.vehicles))
     unit, note, totals = document.cost_unit.label, unit_note(document), document.totals
     if len(every) <= CROWD and sum(group.is_platoon for group in groups) <= 1:
-        parts = _parts(document, every, ("All vehicles", totals.text, "Costs"))
+        parts = _parts(document, every, (say("table.all"), totals.text, say("table.costs")))
         return Piece("one-group", {"unit": unit, "unit_note": note, **parts})
     return Piece(
         "groups",
@@ -94,7 +95,7 @@ def _group(document: Document, number: int, group: Group) -> Piece:
     together = group.is_platoon
     # A few groups are open from the start; of many, the first shows what the others hold.
     is_open = number == 0 or (len(document.vehicles) <= OPEN_UP_TO and together)
-    table = "Together", group.text, f"Costs, {group.name}"
+    table = say("table.together"), group.text, say("table.costs-of", group=group.name)
     return Piece(
         "group",
         {
@@ -147,7 +148,7 @@ def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
             {
                 "index": index,
                 "number": index + 1,
-                "kind": event.kind.capitalize(),
+                "kind": say("events.merge" if event.kind == "merge" else "events.separation"),
                 "icon": event.kind,
                 "name": event.name,
                 "text": event.text,
@@ -171,24 +172,18 @@ def _notes(document: Document) -> Tree:
     for (alone, reason), vehicles in alike.items():
         lead = ", ".join(vehicle.letter for vehicle in vehicles)
         if alone:
-            lead += " stays alone" if len(vehicles) == 1 else " stay alone"
+            lead = say("note.stays-alone", n=len(vehicles), who=lead)
         lead += ":" if reason else "."
         face = badge(vehicles[0]) if len(vehicles) == 1 else NOTHING
         notes.append(Piece("note-vehicle", {"badge": face, "lead": lead, "text": reason}))
     ways = [vehicle for vehicle in document.vehicles if vehicle.access_text]
     if ways:
-        text = (
-            "Ways between the road and a place beside it, drawn dotted, are straight lines whose "
-            "length has a detour added; they count in every total:"
-        )
+        text = say("note.access")
         listed = "; ".join(f"{vehicle.letter} {vehicle.access_text}" for vehicle in ways)
         notes.append(Piece("note-access", {"text": text, "listed": listed}))
     guessed = [vehicle for vehicle in document.vehicles if vehicle.inferred_text]
     if guessed:
         listed = ", ".join(f"{v.letter} {v.inferred_text}" for v in guessed)
-        text = (
-            "Road that the map does not hold but the loader inferred, drawn dashed, "
-            f"is part of these routes: {listed}."
-        )
+        text = say("note.inferred", listed=listed)
         notes.append(Piece("note-inferred", {"text": text}))
     return Piece("notes", {"items": tuple(notes)}) if notes else NOTHING
