@@ -47,6 +47,18 @@ class _Batch:
         make_folder(folder, 0o700)
         return folder
 
+    def make_missing(self, folder: Path) -> None:
+        """Make a folder with its parents, as far as they are not there."""
+        missing = [place for place in (folder, *folder.parents) if not place.exists()]
+        for place in reversed(missing):
+            try:
+                make_folder(place)
+            except FileExistsError:
+                if not place.is_dir():  # made by another process since
+                    raise
+            else:
+                self.made.append(place)
+
     def place(self) -> None:
         """Move all drafts into place; if one cannot be, put back what the others replaced."""
         done: list[tuple[_Move, Path | None]] = []
@@ -116,8 +128,8 @@ def whole_file(
 ) -> Iterator[Path]:
     """Give a place to write a file, and move it to `path` once the block ends without error.
 
-    Inside `all_or_none` it is moved at the end of that. Links are followed: what they lead to is
-    replaced, with its rights kept.
+    Folders on the way that are missing are made. Inside `all_or_none` it is moved at the end of
+    that. Links are followed: what they lead to is replaced, with its rights kept.
 
     Parameters
     ----------
@@ -151,6 +163,7 @@ def whole_file(
         if is_inner:
             named = batch.drafts[target.parent] / target.name
         try:
+            batch.make_missing(target.parent)
             folder = batch.draft_folder(target.parent, named.parent)
         except OSError as error:
             raise _refused(named, refusal, error) from error
@@ -194,12 +207,9 @@ def filled_folder(
         Of the class `refusal`: as `checked_folder` says.
     """
     target = checked_folder(path, refusal)
-    missing = [place for place in (target, *target.parents) if not place.exists()]
     with _batch() as batch:
         try:
-            for place in reversed(missing):
-                batch.made.append(place)
-                make_folder(place)
+            batch.make_missing(target)
         except OSError as error:
             told = error.strerror or error
             raise refusal(f"{path}: cannot be made ({told}); name another folder") from error

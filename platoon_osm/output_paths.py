@@ -1,4 +1,8 @@
-"""Where something may be written: never over what it is made from, nor over what is no file."""
+"""Where something may be written: never over what it is made from, nor over what is no file.
+
+One rule for all that is written, by the command and from Python: folders on the way that are
+missing are made, and are gone again if nothing is written.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from .errors import PlatoonError, ScenarioError, brief
+from .shown_text import well_formed
 
 __all__ = ["PAGES", "SAVED", "Output", "check_outputs", "checked_file", "checked_folder"]
 
@@ -68,6 +73,8 @@ def checked_file(
 ) -> Path:
     """Return the file that writing to a path would make or replace; links are followed.
 
+    Its folder may not exist yet, no more than that of `checked_folder`.
+
     Parameters
     ----------
     path : path-like
@@ -86,7 +93,7 @@ def checked_file(
     ------
     PlatoonError
         No path, a suffix of another format, a folder, device or pipe, a file or folder that may
-        not be written, or a folder that does not exist.
+        not be written, or a file on the way to it.
     """
     place = _as_path(path, refusal)
     status = _status(place, refusal)
@@ -133,13 +140,7 @@ def checked_folder(
     if status is not None and not stat.S_ISDIR(status.st_mode):
         raise refusal(f"{place}: is a file; name a folder to write into")
     target = Path(os.path.realpath(place))
-    there = target
-    while not there.exists() and there != there.parent:
-        there = there.parent
-    if not there.is_dir():
-        raise refusal(f"{place}: {there} is no folder; name another")
-    if not os.access(there, os.W_OK | os.X_OK):
-        raise refusal(f"{place}: {there} takes no files; name another folder")
+    _check_room(place, target, refusal)
     return target
 
 
@@ -195,6 +196,8 @@ def _as_path(path: object, refusal: type[PlatoonError]) -> Path:
     text = os.fspath(path) if isinstance(path, str | os.PathLike) else None
     if not isinstance(text, str) or not text or "\0" in text:
         raise refusal(f"{brief(path)}: is no path; name a file to write")
+    if well_formed(text) != text:  # bytes that are no UTF-8: not every writer can open them
+        raise refusal(f"{well_formed(text)}: is no name in UTF-8; name it otherwise")
     absolute = os.path.normpath(Path(text).absolute())
     if absolute in STREAMS or absolute.startswith(STREAM_FOLDERS):
         raise refusal(f"{text}: is a stream; name a file, or - for standard output")
@@ -204,7 +207,7 @@ def _as_path(path: object, refusal: type[PlatoonError]) -> Path:
 def _status(place: Path, refusal: type[PlatoonError]) -> os.stat_result | None:
     try:
         return place.stat()
-    except FileNotFoundError:
+    except (FileNotFoundError, NotADirectoryError):
         return None
     except (OSError, ValueError) as error:
         told = error.strerror if isinstance(error, OSError) else error
@@ -212,10 +215,14 @@ def _status(place: Path, refusal: type[PlatoonError]) -> os.stat_result | None:
 
 
 def _check_room(place: Path, folder: Path, refusal: type[PlatoonError]) -> None:
-    if not folder.is_dir():
-        raise refusal(f"{place}: cannot be written, its folder does not exist; make it first")
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise refusal(f"{place}: cannot be written, its folder takes no files; name another")
+    """Refuse a place whose folder is not there and cannot be made, or takes no files."""
+    there = folder
+    while not there.exists() and there != there.parent:
+        there = there.parent
+    if not there.is_dir():
+        raise refusal(f"{place}: {there} is no folder; name another")
+    if not os.access(there, os.W_OK | os.X_OK):
+        raise refusal(f"{place}: {there} takes no files; name another folder")
 
 
 def _model(suffixes: Sequence[str]) -> str:

@@ -15,8 +15,8 @@ PACKAGE = ROOT / "platoon_osm"
 
 WALLS = {
     "": (
-        "errors", "kinds", "registry", "interrupts", "leftovers", "output_paths", "atomic_file",
-        "shown_text", "csv_tables", "offers", "network", "sources", "search",
+        "errors", "kinds", "registry", "interrupts", "leftovers", "shown_text", "output_paths",
+        "atomic_file", "csv_tables", "offers", "network", "sources", "search",
         "costs", "plans", "driving", "planning", "study", "report", "cli",
     ),
     "network": ("towns", "preparing", "saved"),

@@ -190,7 +190,7 @@ def test_every_call_works_as_it_should_be_given(
         call(*right.values(), *places) if places else call(**right)
 
 
-@pytest.mark.parametrize("wrong", [None, 3, "", "no/such/folder/plan.json", "."])
+@pytest.mark.parametrize("wrong", [None, 3, "", f"{__file__}/plan.json", "."])
 def test_a_plan_is_written_to_a_file_or_not_at_all(given: dict[str, Any], wrong: Any) -> None:
     with pytest.raises(po.ScenarioError):
         given["plan"].write_json(wrong)

@@ -7,6 +7,7 @@ import logging
 import sys
 from collections.abc import Sequence
 from importlib import import_module
+from io import TextIOWrapper
 from typing import Any
 
 import click
@@ -109,6 +110,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status: 0, or 2 when the input is wrong.
     """
     logging.basicConfig(format="%(levelname)s %(name)s: %(message)s", level=logging.WARNING)
+    _print_what_can_be_printed()
     given = list(sys.argv[1:] if arguments is None else arguments)
 
     def run() -> None:
@@ -116,3 +118,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             _command.invoke(context)
 
     return status_of(run)
+
+
+def _print_what_can_be_printed() -> None:
+    """Let a question mark stand for what standard output has no bytes for.
+
+    Whoever asked for something else by PYTHONIOENCODING has it.
+    """
+    if isinstance(sys.stdout, TextIOWrapper) and sys.stdout.errors in ("strict", "surrogateescape"):
+        sys.stdout.reconfigure(errors="replace")

@@ -8,6 +8,8 @@ from typing import SupportsIndex, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from ..shown_text import well_formed
+
 __all__ = ["TextTable", "encode_texts"]
 
 
@@ -47,8 +49,7 @@ class TextTable(Sequence[str]):
         TextTable
             With a code for each, its position.
         """
-        # A lone surrogate (broken input) must not stop a load: it becomes a question mark.
-        encoded = [text.encode("utf-8", "replace") for text in strings]
+        encoded = [_utf8(text) for text in strings]
         offsets = np.zeros(len(encoded) + 1, np.int64)
         np.cumsum([len(part) for part in encoded], out=offsets[1:])
         return cls(offsets, np.frombuffer(b"".join(encoded), np.uint8))
@@ -84,6 +85,13 @@ class TextTable(Sequence[str]):
 
     def __hash__(self) -> int:
         return hash(self.blob.tobytes())
+
+
+def _utf8(text: str) -> bytes:
+    try:
+        return text.encode()
+    except UnicodeEncodeError:  # half a character (broken input) must not stop a load
+        return well_formed(text).encode()
 
 
 def encode_texts(*columns: Sequence[str]) -> tuple[TextTable, list[NDArray[np.int32]]]:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from ..atomic_file import whole_file
 from ..errors import ScenarioError, brief
 from ..offers import offered
+from ..shown_text import well_formed
 from .checker import check_parts
 from .json_form import PLAN_VERSION, plan_from_dict
 from .proof import Proof
@@ -248,19 +249,21 @@ class Plan:
         return plan_from_dict(cls, data)
 
     def write_json(self, path: str | os.PathLike[str]) -> None:
-        """Write the plan as JSON, whole or not at all.
+        """Write the plan as JSON in UTF-8, whole or not at all.
+
+        Halves of characters in names, which UTF-8 has no bytes for, become U+FFFD.
 
         Parameters
         ----------
         path : str or path
-            Of the file; its folder must exist.
+            Of the file; missing folders are made.
 
         Raises
         ------
         ScenarioError
             The file cannot be written.
         """
-        text = json.dumps(self.to_dict(), indent=1, ensure_ascii=False) + "\n"
+        text = well_formed(json.dumps(self.to_dict(), indent=1, ensure_ascii=False)) + "\n"
         with whole_file(path, suffixes=(".json",)) as draft:
             draft.write_text(text, encoding="utf-8", newline="\n")
 

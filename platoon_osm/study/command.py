@@ -12,6 +12,7 @@ from typing import Any
 from ..atomic_file import all_or_none, filled_folder, whole_file
 from ..errors import ScenarioError, brief
 from ..output_paths import Output, check_outputs
+from ..shown_text import well_formed
 from .monte_carlo import StudyResult, run_study
 from .options import StudyOptions
 from .parts import kept_folder, part_path
@@ -279,7 +280,7 @@ def _command(options: StudyOptions) -> str:
             continue
         shown = Path(value).name if isinstance(value, Path) or name == "network" else value
         typed.append(f"--{name.replace('_', '-')}" + ("" if value is True else f" {shown}"))
-    return " ".join(typed)
+    return well_formed(" ".join(typed))
 
 
 def _marked(path: Path) -> str:

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..planning.routers import Method
+from ..shown_text import shown
 from .measures import INVOLVEMENTS, TOTALS, Estimate, Measures
 from .monte_carlo import StudyResult
 from .random_network import RandomNetwork
@@ -109,7 +110,7 @@ def network_label(result: StudyResult) -> str:
     km = f"{network.spawn_diameter_m / 1000:g} km"
     if not isinstance(network, RandomNetwork):
         drawn = "by flows" if network.flows else "by distance"
-        return f"{network.net.source.name}, {km}, {drawn}"
+        return f"{shown(network.net.source.name)}, {km}, {drawn}"
     return f"{km}, {'points' if network.spawning == 'points' else 'nodes'} in the circle"
 
 

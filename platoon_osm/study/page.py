@@ -12,6 +12,7 @@ from typing import Any
 
 from .._version import __version__
 from ..atomic_file import whole_file
+from ..shown_text import well_formed
 from .shown_tables import ShownTable
 
 __all__ = ["write_page"]
@@ -88,4 +89,4 @@ def write_page(
     shown = json.dumps(parameters, indent=1, sort_keys=True, ensure_ascii=False)
     parts += ["<h2>Parameters</h2>", f"<pre>{text(shown)}</pre>", "</main>", "</body>", "</html>"]
     with whole_file(path) as draft:
-        draft.write_text("\n".join(parts) + "\n", encoding="utf-8")
+        draft.write_text(well_formed("\n".join(parts)) + "\n", encoding="utf-8")

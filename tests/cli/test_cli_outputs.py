@@ -132,7 +132,7 @@ def test_everything_is_checked_before_anything_is_done(capsys, monkeypatch):
     for option in ("--gpx", "--figures"):
         Path("file").write_text("mine")
         refused(capsys, ["plan", scenario(), "--html", "a.html", option, "file/in"], "file")
-    refused(capsys, ["plan", scenario(), "--html", "a.html", "--json", "gone/a.json"], "folder")
+    refused(capsys, ["plan", scenario(), "--html", "a.html", "--json", "file/a.json"], "no folder")
 
 
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root may write all")

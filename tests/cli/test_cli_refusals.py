@@ -63,7 +63,7 @@ def test_bad_arguments(capsys, arguments, said):
         (["compare", "gone.toml", "-o", "c.html"], "gone.toml: cannot be read"),
         (["compare", "a.folder", "-o", "c.html"], "a.folder: cannot be read"),
         (["compare", "gone.toml", "-o", "a.folder"], "a.folder: is a folder"),
-        (["compare", "gone.toml", "-o", "gone/c.html"], "its folder does not exist"),
+        (["compare", "gone.toml", "-o", "a.file/c.html"], "a.file is no folder"),
         (["study", "--runs", "many"], "'many' is not a valid integer"),
         (["study", "--dropout", "some"], "'some' is not a valid float"),
         (["study", "--pruning", "tall"], "'tall' is not one of 'shortest', 'random'"),

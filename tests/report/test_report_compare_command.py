@@ -57,7 +57,7 @@ def test_what_is_wrong_is_said_in_one_line(capsys: pytest.CaptureFixture[str]) -
     for arguments, said in (
         (["low.toml", "other.toml", "-o", "c.html"], "names another network"),
         (["low.toml", "--cases", "A,Q", "-o", "c.html"], "'Q'"),
-        (["low.toml", "-o", "missing/c.html"], "its folder does not exist"),
+        (["low.toml", "-o", "low.toml/c.html"], "low.toml is no folder"),
     ):
         assert main(["compare", *arguments]) == 2
         err = capsys.readouterr().err

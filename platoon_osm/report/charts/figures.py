@@ -15,6 +15,7 @@ from ...costs.weights import EdgeWeights
 from ...csv_tables import write_table
 from ...errors import ScenarioError, brief
 from ...network.road_network import RoadNetwork
+from ...output_paths import checked_folder
 from ...plans.plan import Plan
 from ...shown_text import shortened
 from ..document.checks import check_path
@@ -49,7 +50,7 @@ def write_figures(
     language: str | None = None,
     clock: int | None = None,
 ) -> list[Path]:
-    """Write the figures of a plan into a folder that exists.
+    """Write the figures of a plan into a folder, which is made if it is missing.
 
     They are `corridor` (the map), `costs` (bars of cost alone and as planned), `way` (who drives
     with whom, by distance; left out where the plan has no common scale of distance) and, for a
@@ -85,6 +86,7 @@ def write_figures(
     """
     _check_formats(formats)
     folder = check_path(folder)
+    checked_folder(folder)
     written: list[Path] = []
     with speaking(language, clock), all_or_none(), drawing():
         document = document_of(plan, net, weights=weights)

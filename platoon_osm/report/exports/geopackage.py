@@ -89,6 +89,8 @@ def write_layers(draft: Path, layers: Sequence[Layer], data_of: str) -> None:
             except (*errors, pyogrio.errors.FeatureError, RuntimeError) as error:
                 # As an OSError it is told like any other failure to write.
                 raise OSError(f"layer {layer.name}: {_said(error)}") from error
+            except UnicodeEncodeError as error:  # of the folder it lies in
+                raise OSError("GDAL opens no path that is no UTF-8") from error
     _check(draft, layers)
 
 

@@ -72,7 +72,7 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
     net : RoadNetwork
         The network it was made on.
     path : path-like
-        Of the file; its folder must exist.
+        Of the file; missing folders are made.
 
     Raises
     ------

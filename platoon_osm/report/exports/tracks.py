@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ...atomic_file import all_or_none, whole_file
 from ...csv_tables import write_table
 from ...network.road_network import RoadNetwork
+from ...output_paths import checked_folder
 from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...plans.records import PlatoonPoint, Stop
@@ -39,7 +40,7 @@ IN_WORDS = {"platoon": "in platoon", "access": "between the road and a place bes
 
 
 def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
-    """Write a GPX file for each vehicle into a folder that exists.
+    """Write a GPX file for each vehicle into a folder, which is made if it is missing.
 
     Each holds the start, the merge, the separation and the destination as waypoints, and the
     joint route as one track with a segment for each leg. Times are in UTC, as GPX wants them, so
@@ -67,6 +68,7 @@ def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> l
         A plan of another network, or a folder that cannot be written to.
     """
     folder = check_path(folder)
+    checked_folder(folder)
     check_plan(plan, net)
     plan, net = laid_out(plan, net)
     ElementTree.register_namespace("", GPX)
@@ -179,7 +181,7 @@ def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> Non
     net : RoadNetwork
         The network it was made on.
     path : path-like
-        Of the file; its folder must exist.
+        Of the file; missing folders are made.
 
     Raises
     ------

@@ -8,6 +8,8 @@ import json
 import re
 from collections.abc import Sequence
 
+from ...shown_text import well_formed
+
 __all__ = ["json_for_html", "policy"]
 
 
@@ -25,7 +27,9 @@ def json_for_html(data: object) -> str:
         The same as text.
     """
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    return re.sub("[<>&\u2028\u2029]", lambda found: f"\\u{ord(found.group()):04x}", text)
+    return re.sub(
+        "[<>&\u2028\u2029]", lambda found: f"\\u{ord(found.group()):04x}", well_formed(text)
+    )
 
 
 def policy(scripts: Sequence[str], styles: Sequence[str], images: str = "") -> str:

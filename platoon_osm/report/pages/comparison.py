@@ -51,7 +51,7 @@ def write_comparison(
     net : RoadNetwork
         The network they were made on.
     path : path-like
-        Of the file; its folder must exist.
+        Of the file; missing folders are made.
     titles : sequence of str, or None
         Of the plans; by default their cases.
     title : str

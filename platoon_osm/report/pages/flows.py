@@ -53,7 +53,7 @@ def write_flows(
     net : RoadNetwork
         The network the plan was made on.
     path : path-like
-        Of the file; its folder must exist.
+        Of the file; missing folders are made.
     title : str or None
         Heads the page; by default made from the first vehicle's journey.
     language : str or None

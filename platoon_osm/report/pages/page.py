@@ -49,7 +49,7 @@ def write_html(
     net : RoadNetwork
         The network the plan was made on.
     path : path-like
-        Of the file; its folder must exist.
+        Of the file; missing folders are made.
     title : str or None
         Heads the page; by default made from the first vehicle's journey.
     tiles : str or None
