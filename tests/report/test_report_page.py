@@ -461,7 +461,7 @@ def test_plan_of_the_planner_on_the_bundled_map(visit: Visit, tmp_path: Path) ->
     plan = platoon_osm.plan_joint(net, platoon_osm.paper_weights(net), trips, case="C")
     path = tmp_path / "italy.html"
     write_html(plan, net, path)
-    assert path.stat().st_size < 400_000
+    assert path.stat().st_size < 450_000
     opened = visit(path)
     assert opened.page.locator(".event-mark").count() >= 2
     opened.check(path)

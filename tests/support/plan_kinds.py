@@ -146,13 +146,23 @@ def _journeys(names: Sequence[str], draw: np.random.Generator) -> list[Journey]:
             break
     journeys: list[Journey] = [(names[0], way[0], way[-1], None, None)]
     for name in names[1:]:
-        merge, split = sorted(int(i) for i in draw.choice(len(way), 2, replace=False))
-        free = [place for place in places if place not in way]
-        ends = [str(place) for place in draw.choice(free, 2, replace=False)]
-        start_at = way[merge] if draw.random() < 0.3 else ends[0]
-        end_at = way[split] if draw.random() < 0.3 else ends[1]
+        while True:
+            merge, split = sorted(int(i) for i in draw.choice(len(way), 2, replace=False))
+            ends = [str(place) for place in draw.choice(places, 2, replace=False)]
+            start_at = way[merge] if draw.random() < 0.3 else ends[0]
+            end_at = way[split] if draw.random() < 0.3 else ends[1]
+            joint = _metres(start_at, way[merge]) + _metres(way[split], end_at)
+            shared = _metres(way[merge], way[split])
+            if joint + 0.9 * shared < _metres(start_at, end_at):
+                break
         journeys.append((name, start_at, end_at, way[merge], way[split]))
     return journeys
+
+
+@cache
+def _metres(start: str, end: str) -> float:
+    net, place = valley(), list(JUNCTIONS).index
+    return sum(float(net.length_m[edge]) for edge in route(net, place(start), place(end)))
 
 
 # -- when ----------------------------------------------------------------------------------------

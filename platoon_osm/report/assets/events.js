@@ -18,10 +18,17 @@ buttons.forEach((button, index) => {
     }
   });
 });
+/* Scroll the panel, where it scrolls by itself, to a row; below the map the page stays where it is. */
+const panel = document.getElementById("panel");
+const reveal = (row) => {
+  const [inner, outer] = [row.getBoundingClientRect(), panel.getBoundingClientRect()];
+  if (inner.top < outer.top) panel.scrollTop += inner.top - outer.top;
+  else if (inner.bottom > outer.bottom) panel.scrollTop += inner.bottom - outer.bottom;
+};
 marks.eventMarks.forEach((made, index) => {
   const open = () => {
     choose(index);
-    buttons[index]?.scrollIntoView({ block: "nearest" });
+    if (buttons[index]) reveal(buttons[index]);
   };
   made.on("click", open);
   made.on("keypress", (event) => {

@@ -4,7 +4,7 @@
 function playJourney({ plan, map, solos, platoons, calm, drawn, isolated, hidden }) {
 
 const box = document.querySelector(".journey");
-if (!box) return;
+if (!box) return null;
 const slider = box.querySelector("input");
 const button = box.querySelector("button");
 const output = box.querySelector("output");
@@ -13,6 +13,7 @@ const states = box.querySelector(".states");
 /* A crowd on one spot becomes one disc that counts it. */
 const MOST_TOGETHER = 6;
 const PLAY_MS = 24000;
+const MOMENTS_TRIED = 60;
 
 // -- where a vehicle is ---------------------------------------------------------------------------
 
@@ -177,6 +178,7 @@ function moveTo(to) {
   slider.setAttribute("aria-valuetext", [scale.text(at), doing].filter(Boolean).join(", "));
   output.textContent = scale.text(at);
   if (states) states.textContent = doing;
+  map.fire("viewchange");
   for (const chart of document.querySelectorAll("svg.along")) {
     const { zero, end, from = 0, perSecond, perMetre } = chart.dataset;
     const line = chart.querySelector(".cursor");
@@ -223,4 +225,21 @@ document.querySelector(".legend").addEventListener("change", () => show(at));
 L.DomEvent.disableClickPropagation(box);
 box.hidden = false;
 moveTo(scale.begin);
+
+/* Keep room for what will stand below the slider, so that the box covers no more as it plays. */
+function steady() {
+  if (!states) return;
+  const now = states.textContent;
+  states.style.minHeight = "0";
+  let most = 0;
+  for (let part = 0; part <= MOMENTS_TRIED; part++) {
+    states.textContent = scale.doing(scale.begin + ((scale.end - scale.begin) * part) / MOMENTS_TRIED);
+    most = Math.max(most, states.offsetHeight);
+  }
+  states.textContent = now;
+  states.style.minHeight = `${most}px`;
+}
+
+/* A moment is counted from the beginning, in seconds or metres. */
+return { at: () => at - scale.begin, moveTo: (moment) => { stop(); moveTo(scale.begin + moment); }, steady };
 }

@@ -8,14 +8,16 @@ const scene = planScene();
 const { plan, map, frame, calm, hidden, groups, solos, platoons } = scene;
 const { drawn, isolated } = pageElements;
 const lanes = planLanes(map);
-const fit = planFit(scene);
-
-addControls(scene, fit);
-fit.showPlan();
-drawGround(scene);
 const routes = planRoutes(scene, lanes);
 const marks = planMarks({ plan, map, hidden, tooltip: planTips.tooltip });
 const labels = planLabels({ plan, map, lanes, solos, platoons, marks, hidden });
+
+/* Draw what depends on the zoom, and what stands beside it. */
+function redraw() {
+  routes.redraw();
+  marks.show();
+  labels.arrange();
+}
 
 /* Bring all that the legend has a say in up to date. */
 function settle() {
@@ -25,27 +27,24 @@ function settle() {
   labels.arrange();
 }
 
+// What covers the map is there before the plan is fitted into what it leaves.
+const journey = playJourney({ plan, map, solos, platoons, calm, drawn, isolated, hidden });
+const fit = planFit(scene, { marks, journey, redraw });
+addControls(scene, fit);
+fit.showPlan();
+drawGround(scene);
+routes.restack();
 wireLegend({ map, groups, hidden, settle });
 wireEvents(scene, marks);
-routes.redraw();
-routes.restack();
-marks.show();
-playJourney({ plan, map, solos, platoons, calm, drawn, isolated, hidden });
-labels.arrange();
-
-let width = frame.clientWidth;
 map.on("zoomend", () => {
-  routes.redraw();
-  marks.show();
-  labels.arrange();
+  if (!fit.isWorking()) redraw();
 });
-map.on("resize", () => {
-  // Below 600 px lines are finer: crossing that width redraws them.
-  if ((width < 600) !== (frame.clientWidth < 600)) fit.showPlan();
-  width = frame.clientWidth;
-  routes.redraw();
-  marks.show();
-  labels.arrange();
-});
+fit.watch();
+wireTouch(scene);
+const view = planView(map);
+view.part(...planView.ofMap(map, fit));
+if (journey) view.part(...planView.ofMoment(journey));
+view.restore();
+view.watch();
 frame.dataset.ready = "true";
 })();

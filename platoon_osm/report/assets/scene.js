@@ -10,6 +10,8 @@ const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
 const ROUTE_STEPS = 1e5;
 
 document.documentElement.classList.add("live");
+// Until now the page was laid out to be read without a script, and the map was measured in it.
+map.invalidateSize({ pan: false });
 
 // Panes, bottom to top.
 const panes = ["network", "junctions", "routes", "platoons", "names", "ties", "callouts"];

@@ -9,7 +9,15 @@ from .security import policy
 
 __all__ = ["PAGE_STYLES", "still_page"]
 
-PAGE_STYLES = ("theme.css", "page.css", "panel.css", "map.css", "narrow.css", "print.css")
+PAGE_STYLES = (
+    "theme.css",
+    "page.css",
+    "panel.css",
+    "map.css",
+    "narrow.css",
+    "touch.css",
+    "print.css",
+)
 """Style sheets of all pages with a map and a panel, in their order: later rules win."""
 
 

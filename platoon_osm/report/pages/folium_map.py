@@ -94,6 +94,8 @@ class PlanMap(folium.Map):
             max_zoom=18,
             min_zoom=3,
             world_copy_jump=False,
+            # The page watches its frame itself, which may change without the window.
+            track_resize=False,
         )
         self._id = "plan"
         figure = PageFigure(parts)
