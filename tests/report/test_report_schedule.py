@@ -142,7 +142,7 @@ def test_figures_events_and_texts(document: dict[str, Any]) -> None:
     merges = {event["text"]: event["detail"] for event in document["events"]}
     assert "07:32, C joins A" in merges
     assert merges["08:49, B joins A and C"].endswith("B waits 1 h 41 min")
-    assert document["schedule"]["text"]["day"] == "2026-03-02"
+    assert document["schedule"]["text"]["day"] == "Mon, 2 Mar 2026"
     assert document["schedule"]["zone"] == "local time"
     texts = [vehicle["times"]["text"] for vehicle in document["vehicles"]]
     assert [text["departure"] for text in texts] == ["06:00", "04:30", "07:04"]
@@ -373,7 +373,7 @@ def test_without_script_the_schedule_is_there(page_file: Path, visit: Visit) -> 
     text = chart.text_content()
     for time in ("04:30", "06:00", "07:04", "08:49", "12:57"):
         assert time in text
-    assert "B leaves 04:30, waits 1 h 41 min, arrives 11:58" in text
+    assert "B leaves 04:30, 30 min later than it could, waits 1 h 41 min, arrives" in text
     assert not page.locator(".journey").is_visible()
 
 
@@ -529,7 +529,10 @@ def test_geopackage_has_times(day: JointPlan, net: RoadNetwork, tmp_path: Path) 
 def test_schedule_figure_and_its_numbers(day: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
     written = write_figures(day, net, tmp_path, formats=("png", "svg"))
     names = [path.name for path in written]
-    assert names[-3:] == ["schedule.png", "schedule.svg", "schedule.csv"]
+    assert names[-5:] == [
+        *("schedule.png", "schedule.svg"),
+        *("time-distance.png", "time-distance.svg", "schedule.csv"),
+    ]
     with (tmp_path / "schedule.csv").open(encoding="utf-8", newline="") as handle:
         rows = [row for row in csv.DictReader(handle) if row["vehicle"] == "B"]
     assert [row["does"] for row in rows][:4] == ["could have left", "alone", "waits", "in platoon"]

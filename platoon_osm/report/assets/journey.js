@@ -180,11 +180,11 @@ function moveTo(to) {
   if (states) states.textContent = doing;
   map.fire("viewchange");
   for (const chart of document.querySelectorAll("svg.along")) {
-    const { zero, end, from = 0, perSecond, perMetre } = chart.dataset;
+    const { zero, end, from = 0, perSecond, perMetre, down } = chart.dataset;
     const line = chart.querySelector(".cursor");
     const x = Number(zero) + (at - Number(from)) * Number(perSecond ?? perMetre);
-    line.setAttribute("x1", x);
-    line.setAttribute("x2", x);
+    // Time runs to the right, or down in a diagram of time and distance.
+    for (const side of down === undefined ? ["x1", "x2"] : ["y1", "y2"]) line.setAttribute(side, x);
     line.classList.toggle("on", at > scale.begin && x >= Number(zero) && x <= Number(end) + 0.1);
   }
 }

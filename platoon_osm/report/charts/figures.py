@@ -24,10 +24,11 @@ from ..document.model import Document
 from ..document.model_day import DaySchedule, JourneyScale
 from ..document.model_vehicle import Vehicle
 from ..drawing.palette import MUTED, PAPER, PLATOON, PLATOON_CASING
-from ..language.speech import speaking
+from ..language.speech import number, say, speaking
 from .figure_map import corridor
 from .paper import METADATA, axes_of, dash_of, drawing
 from .schedule_figure import COLUMNS, draw_schedule, schedule_rows
+from .time_distance_figure import diagrams
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -54,8 +55,9 @@ def write_figures(
 
     They are `corridor` (the map), `costs` (bars of cost alone and as planned), `way` (who drives
     with whom, by distance; left out where the plan has no common scale of distance) and, for a
-    plan with times, `schedule` (who drives when), with its numbers in `schedule.csv`. The same
-    plan gives the same bytes.
+    plan with times, `schedule` (who drives when), with its numbers in `schedule.csv`, and
+    `time-distance` (where each vehicle of a platoon is when; of several platoons one each,
+    `time-distance-2` and on). The same plan gives the same bytes.
 
     Parameters
     ----------
@@ -120,6 +122,7 @@ def _figures(document: Document) -> Iterator[tuple[str, Figure]]:
         yield "way", _way(document, document.journey)
     if document.schedule is not None:
         yield "schedule", _schedule(document, document.schedule)
+    yield from diagrams(document)
 
 
 def _costs(document: Document) -> Figure:
@@ -149,7 +152,7 @@ def _costs(document: Document) -> Figure:
     axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
     axes.invert_yaxis()
     label = document.cost_unit.label
-    axes.set_xlabel(f"Cost, {label}: hatched alone, coloured as planned")
+    axes.set_xlabel(say("figures.costs", unit=label))
     # Costs of the document are in the plan's unit; the axis is read in that of the page.
     axes.xaxis.set_major_formatter(_in_unit(document))
     return figure
@@ -159,7 +162,7 @@ def _in_unit(document: Document) -> Any:
     from matplotlib.ticker import FuncFormatter
 
     scale = document.cost_unit.scale
-    return FuncFormatter(lambda value, _: f"{value * scale:,.0f}")
+    return FuncFormatter(lambda value, _: number(value * scale))
 
 
 def _who(vehicle: Vehicle) -> str:
@@ -186,7 +189,7 @@ def _way(document: Document, scale: JourneyScale) -> Figure:
             axes.axvline(event.at_m / 1000, color=MUTED, linewidth=0.6)
     axes.set_yticks(range(len(vehicles)), [_who(vehicle) for vehicle in vehicles])
     axes.invert_yaxis()
-    axes.set_xlabel("Distance, km; yellow: in the platoon; lines: merges and separations")
+    axes.set_xlabel(say("along.axis-platoon" if document.platoons else "along.axis"))
     return figure
 
 

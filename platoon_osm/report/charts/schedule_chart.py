@@ -8,22 +8,30 @@ from ...plans.clock import MENTIONED_S, Clock
 from ..document.model import Document
 from ..document.model_day import VehicleDay
 from ..document.model_vehicle import Vehicle
-from ..drawing.crowd import CROWD, MOST_SPOKEN
-from ..drawing.palette import INK, LATE, MUTED
-from ..drawing.ticks import hour_ticks
+from ..drawing.crowd import CROWD
+from ..drawing.palette import INK, LATE, MUTED, TICK
+from ..language.speech import clock_time, say
 from ..markup.fragments import NOTHING, Piece, Tree
+from .axes import SIZE, WIDTH, Tick, day_scale, letter_type, text_width
+from .sentences import sentence, spoken_list
 
-__all__ = ["BEYOND", "late_note", "schedule_chart"]
+__all__ = ["BEYOND", "late_note", "schedule_chart", "schedule_notes"]
 
 LEFT, RIGHT = 38.0, 358.0
-CROWDED_RIGHT = 282.0
-ROW, CROWDED_ROW = 36, 24
+ROW, CROWDED_ROW = 40, 26
 TOP, CROWDED_TOP = 8, 22
 
-LABEL_WIDTH = 36.0
+LABEL_Y = 33.0
+"""Base line of the times under a row."""
 
 BEYOND = 0.25
-"""Latest arrivals are drawn up to this share of the day after the last arrival."""
+"""What was asked for is drawn up to this share of the day before its begin and after its end."""
+
+LABEL_GAP = 3.0
+"""Blank between times under a row."""
+
+LEAST_WAIT = 3.0
+"""A wait is drawn at least so wide, or it would not be seen."""
 
 
 def schedule_chart(document: Document, members: Sequence[int], key: str = "") -> Tree:
@@ -49,19 +57,22 @@ def schedule_chart(document: Document, members: Sequence[int], key: str = "") ->
     if schedule is None or not members:
         return NOTHING
     vehicles = [document.vehicles[index] for index in members]
-    begin = min(vehicle.day.departure_s for vehicle in vehicles)
-    last = max(vehicle.day.arrival_s for vehicle in vehicles)
-    # A latest arrival far off would leave no room for the day itself.
-    near = last + (last - begin) * BEYOND
-    latest = (vehicle.day.latest_arrival_s for vehicle in vehicles)
-    end = max([last, *(at for at in latest if at is not None and at <= near)])
+    begin, end = _span([vehicle.day for vehicle in vehicles])
     crowded = len(members) > CROWD
-    right = CROWDED_RIGHT if crowded else RIGHT
+    right = RIGHT
+    if crowded:
+        right = (
+            WIDTH
+            - 10
+            - max(text_width(_span_text(vehicle.day), SIZE, True) for vehicle in vehicles)
+        )
     per_second = (right - LEFT) / max(end - begin, 1.0)
     axis = _Axis(begin, end, per_second, schedule.clock)
     height = CROWDED_ROW if crowded else ROW
+    ticks = day_scale(axis.clock, begin, end, axis.x, (0.0, WIDTH if not crowded else right + 30))
+    two = any(tick.below for tick in ticks)
     # A crowd scrolls, so its hours stand above it too.
-    top = CROWDED_TOP if crowded else TOP
+    top = CROWDED_TOP + SIZE * two if crowded else TOP
     bottom = top + height * len(members)
     rows = [
         _row(document, index, axis, top + height * place, crowded)
@@ -71,34 +82,59 @@ def schedule_chart(document: Document, members: Sequence[int], key: str = "") ->
         "schedule",
         {
             "key": key,
-            "day": schedule.text.day,
-            "zone": schedule.zone,
+            "heading": say(
+                "schedule.heading", day=schedule.text.day, zone=schedule.zone_of(begin, end)
+            ),
             "crowd": " crowd" if crowded else "",
-            "height": bottom + 16,
-            "bottom": bottom,
+            "height": f"{bottom + SIZE * (1 + two) + 6:g}",
+            "bottom": f"{bottom:g}",
             "zero": LEFT,
-            "end": right,
+            "end": f"{right:.1f}",
             "from": begin,
             "per_second": f"{per_second:.9g}",
             "ticks": tuple(
-                Piece(
-                    "schedule-tick",
-                    {
-                        "x": axis.at(moment),
-                        "top": top - 4,
-                        "bottom": bottom,
-                        "text_y": text_y,
-                        "text": text,
-                    },
-                )
-                for moment, text in hour_ticks(axis.clock, begin, end)
-                for text_y in (bottom + 12, *([12] if crowded else []))
+                _tick(tick, axis, top, bottom, (bottom, 0.0) if crowded else (bottom,))
+                for tick in ticks
             ),
             "rows": tuple(rows),
-            "description": "; ".join(_sentence(vehicle) for vehicle in vehicles[:MOST_SPOKEN])
-            + (f"; and {len(vehicles) - MOST_SPOKEN} more" if len(vehicles) > MOST_SPOKEN else ""),
+            "description": spoken_list(vehicles),
             "late": _late(vehicles),
-            "note": _note(vehicles),
+            "note": schedule_notes(document, members),
+        },
+    )
+
+
+def _span(days: Sequence[VehicleDay]) -> tuple[float, float]:
+    """Return the time that is drawn: the day, and what was asked for near it."""
+    first, last = min(day.departure_s for day in days), max(day.arrival_s for day in days)
+    far = (last - first) * BEYOND
+    # Windows far off would leave no room for the day itself.
+    asked = (day.earliest_departure_s for day in days if day.text.held)
+    latest = (day.latest_arrival_s for day in days)
+    return (
+        min([first, *(max(at, first - far) for at in asked if at is not None)]),
+        max([last, *(at for at in latest if at is not None and at <= last + far)]),
+    )
+
+
+def _tick(tick: Tick, axis: _Axis, top: float, bottom: float, lines: tuple[float, ...]) -> Piece:
+    texts = (
+        Piece(
+            "schedule-tick-text",
+            {"x": f"{tick.place:.1f}", "y": f"{line + SIZE * (1 + number) + 2:g}", "text": text},
+        )
+        for line in lines
+        for number, text in enumerate(tick.texts)
+    )
+    return Piece(
+        "schedule-tick",
+        {
+            "x": axis.at(tick.at),
+            "top": f"{top - 4:g}",
+            "bottom": f"{bottom:g}",
+            "colour": MUTED if tick.strong else TICK,
+            "dash": "5 3" if tick.strong else "none",
+            "texts": tuple(texts),
         },
     )
 
@@ -116,40 +152,43 @@ class _Axis:
         return f"{self.x(moment):.1f}"
 
 
-def _sentence(vehicle: Vehicle) -> str:
-    text = vehicle.day.text
-    parts = [f"{vehicle.letter} leaves {text.departure}"]
-    if vehicle.day.waiting_s >= MENTIONED_S:
-        parts.append(f"waits {text.waiting}")
-    parts.append(f"arrives {text.arrival}")
-    if text.late:
-        parts.append(f"{text.late} late")
-    return ", ".join(parts)
-
-
 def _late(vehicles: Sequence[Vehicle]) -> Tree:
     who = _late_ones(vehicles)
-    return Piece("schedule-late", {"text": f"Too late, at best: {who}."}) if who else NOTHING
+    return Piece("schedule-late", {"text": say("schedule.late", who=who)}) if who else NOTHING
 
 
 def _late_ones(vehicles: Sequence[Vehicle]) -> str:
     return ", ".join(
-        f"{vehicle.letter} by {vehicle.times.text.late}"
+        say("schedule.late-by", vehicle=vehicle.letter, time=vehicle.times.text.late)
         for vehicle in vehicles
         if vehicle.times is not None and vehicle.times.is_late
     )
 
 
-def _note(vehicles: Sequence[Vehicle]) -> str:
-    times = [vehicle.day for vehicle in vehicles]
-    parts = ["Yellow: in the platoon."]
-    if any(one.waiting_s >= MENTIONED_S for one in times):
-        parts.append("Hatched: waiting for others.")
-    if any(one.text.held for one in times):
-        parts.append("Dotted: could have left, but leaves later so that nobody waits.")
-    if any(one.latest_arrival_s is not None for one in times):
-        parts.append("Upright bar: latest arrival.")
-    return " ".join(parts)
+def schedule_notes(document: Document, members: Sequence[int]) -> str:
+    """Return what the drawing means, as far as it shows it.
+
+    Parameters
+    ----------
+    document : Document
+        Whose vehicles they are.
+    members : sequence of int
+        Their positions.
+
+    Returns
+    -------
+    str
+        Sentences.
+    """
+    vehicles = [document.vehicles[index] for index in members]
+    days = [vehicle.day for vehicle in vehicles]
+    shown = {
+        "schedule.yellow": any(kind == "platoon" for one in vehicles for kind, _ in one.way),
+        "schedule.hatched": any(one.waiting_s >= MENTIONED_S for one in days),
+        "schedule.dotted": any(one.text.held for one in days),
+        "schedule.bar": any(one.latest_arrival_s is not None for one in days),
+    }
+    return " ".join(say(key) for key, is_shown in shown.items() if is_shown)
 
 
 def _row(document: Document, index: int, axis: _Axis, y: float, crowded: bool) -> Piece:
@@ -159,12 +198,13 @@ def _row(document: Document, index: int, axis: _Axis, y: float, crowded: bool) -
         "schedule-row",
         {
             "y": f"{y:g}",
-            "title": _sentence(vehicle),
+            "index": index,
+            "title": sentence(vehicle),
             "colour": vehicle.colour,
             "letter": vehicle.letter,
-            "size": vehicle.letter_size,
+            "size": letter_type(vehicle.letter),
             "shapes": tuple(_shapes(document, index, axis)),
-            "labels": _span(times) if crowded else tuple(_labels(document, index, axis)),
+            "labels": _span_label(times) if crowded else tuple(_labels(document, index, axis)),
         },
     )
 
@@ -177,8 +217,12 @@ def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
         # What lies before the chart is cut off.
         first = max(times.earliest_departure_s, axis.begin)
         if times.departure_s - first > 60:
-            x2 = axis.x(times.departure_s) - 6
-            yield Piece("schedule-held", {"x1": axis.at(first), "x2": f"{x2:.1f}"})
+            x1, x2 = axis.x(first), axis.x(times.departure_s) - 6
+            # An arrow where it could have left still earlier, else a stop.
+            cut = times.earliest_departure_s < first - 1
+            mark = f"M{x1 + 5:.1f} 6L{x1:.1f} 10L{x1 + 5:.1f} 14" if cut else f"M{x1:.1f} 5V15"
+            values = {"x1": f"{x1:.1f}", "x2": f"{max(x2, x1 + 1):.1f}", "mark": mark}
+            yield Piece("schedule-held", values)
     for (kind, _), (begin, end) in pieces:
         if kind == "platoon":
             yield Piece("schedule-band", {"x": axis.at(begin), "width": _width(axis, begin, end)})
@@ -194,7 +238,9 @@ def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
             },
         )
     for begin, end in _waits(times):
-        yield Piece("schedule-wait", {"x": axis.at(begin), "width": _width(axis, begin, end)})
+        # A short one too ends where the vehicle goes on.
+        width = max((end - begin) * axis.per_second, LEAST_WAIT)
+        yield Piece("schedule-wait", {"x": f"{axis.x(end) - width:.1f}", "width": f"{width:.1f}"})
     yield Piece("schedule-start", {"x": axis.at(times.departure_s), "colour": vehicle.colour})
     yield Piece(
         "schedule-end", {"x": f"{axis.x(times.arrival_s) - 4:.1f}", "colour": vehicle.colour}
@@ -242,40 +288,64 @@ def _waits(times: VehicleDay) -> list[tuple[float, float]]:
 
 
 def _labels(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
-    """Yield the times under a row: departure and arrival first, then points where there is room."""
-    vehicle = document.vehicles[index]
-    times = vehicle.day
-    late = times.is_late
-    wanted = [
-        (times.departure_s, times.text.departure, INK, "700"),
-        (times.arrival_s, times.text.arrival, LATE if late else INK, "700"),
+    """Yield the times under a row: departure and arrival, then points where there is room.
+
+    Departure and arrival stand as one text where two would not fit side by side.
+    """
+    times = document.vehicles[index].day
+    ink = LATE if times.is_late else INK
+    leaves, arrives = times.text.departure, times.text.arrival
+    ends = [
+        (axis.x(times.departure_s), text_width(leaves, SIZE, True) / 2, leaves, INK, "700"),
+        (axis.x(times.arrival_s), text_width(arrives, SIZE, True) / 2, arrives, ink, "700"),
     ]
-    wanted += [
-        (event.at_s, axis.clock.text(event.at_s), MUTED, "400")
-        for event in document.events
-        if index in event.vehicles and event.at_s is not None
-    ]
+    ends = [(_within(x, half), half, text, look, bold) for x, half, text, look, bold in ends]
+    if ends[0][0] + ends[0][1] + LABEL_GAP > ends[1][0] - ends[1][1]:
+        text = _span_text(times)
+        half = text_width(text, SIZE, True) / 2
+        middle = (axis.x(times.departure_s) + axis.x(times.arrival_s)) / 2
+        ends = [(_within(middle, half), half, text, ink, "700")]
     taken: list[tuple[float, float]] = []
-    for moment, text, colour, weight in wanted:
-        half = LABEL_WIDTH / 2 * max(len(text) / 5, 1)
-        spot = axis.x(moment)
-        for x in (spot, spot + 6, spot - 6, spot + 12, spot - 12, spot + 20, spot - 20, spot + 27):
-            x = min(max(x, 22 + half), 372 - half)
-            if all(x + half < low or x - half > high for low, high in taken):
+    for x, half, text, colour, weight in ends:
+        taken.append((x - half, x + half))
+        yield _label(x, text, colour, weight)
+    for event in document.events:
+        if index not in event.vehicles or event.at_s is None:
+            continue
+        text = clock_time(axis.clock, event.at_s)
+        half, spot = text_width(text, SIZE) / 2, axis.x(event.at_s)
+        for aside in (0, 6, -6, 12, -12, 20, -20, 27):
+            x = _within(spot + aside, half)
+            if all(
+                x + half + LABEL_GAP < low or x - half - LABEL_GAP > high for low, high in taken
+            ):
                 taken.append((x - half, x + half))
-                yield Piece(
-                    "schedule-label",
-                    {"x": f"{x:.1f}", "y": 28, "text": text, "colour": colour, "weight": weight},
-                )
+                yield _label(x, text, MUTED, "400")
                 break
 
 
-def _span(times: VehicleDay) -> Piece:
+def _within(x: float, half: float) -> float:
+    return min(max(x, half), WIDTH - half)
+
+
+def _label(x: float, text: str, colour: str, weight: str) -> Piece:
+    values = {"x": f"{x:.1f}", "y": f"{LABEL_Y:g}", "text": text}
+    return Piece("schedule-label", {**values, "colour": colour, "weight": weight})
+
+
+def _span_text(times: VehicleDay) -> str:
+    return f"{times.text.departure} \u2013 {times.text.arrival}"
+
+
+def _span_label(times: VehicleDay) -> Piece:
     late = times.is_late
-    text = f"{times.text.departure} \u2013 {times.text.arrival}"
     return Piece(
         "schedule-span",
-        {"text": text, "colour": LATE if late else MUTED, "weight": "700" if late else "400"},
+        {
+            "text": _span_text(times),
+            "colour": LATE if late else MUTED,
+            "weight": "700" if late else "400",
+        },
     )
 
 
@@ -293,8 +363,4 @@ def late_note(document: Document) -> list[Piece]:
         One note, or none if all are in time.
     """
     who = _late_ones(document.vehicles)
-    return (
-        [Piece("note-late", {"text": f"Not feasible in time. Late, at best: {who}."})]
-        if who
-        else []
-    )
+    return [Piece("note-late", {"text": say("schedule.not-feasible", who=who)})] if who else []

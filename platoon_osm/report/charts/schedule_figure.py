@@ -10,7 +10,8 @@ from ..document.model import Document
 from ..document.model_day import DaySchedule
 from ..drawing.palette import LATE, MUTED, PAPER, PLATOON, PLATOON_CASING
 from ..drawing.ticks import hour_ticks
-from .schedule_chart import BEYOND
+from ..language.speech import clock_time, say
+from .schedule_chart import BEYOND, schedule_notes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -90,11 +91,12 @@ def draw_schedule(
                 [latest] * 2, [row - 0.3, row + 0.3], linewidth=1, color=LATE if late else MUTED
             )
     ticks = hour_ticks(schedule.clock, schedule.begin_s, schedule.end_s)
-    axes.set_xticks([moment for moment, _ in ticks], [text for _, text in ticks])
-    axes.set_xlabel(
-        f"Time of day, {schedule.text.day}, {schedule.zone}; yellow: in the platoon; "
-        "hatched: waiting; bar: latest arrival"
-    )
+    # A day stands below its hour, so that labels keep apart.
+    texts = [clock_time(schedule.clock, moment).replace(" ", "\n", 1) for moment, _ in ticks]
+    axes.set_xticks([moment for moment, _ in ticks], texts)
+    zone = schedule.zone_of(schedule.begin_s, schedule.end_s)
+    legend = schedule_notes(document, range(len(vehicles)))
+    axes.set_xlabel(say("schedule.axis", day=schedule.text.day, zone=zone) + f"\n{legend}")
 
 
 def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[Row]:

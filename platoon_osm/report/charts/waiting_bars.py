@@ -8,13 +8,21 @@ from ...plans.clock import MENTIONED_S
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import MOST_SPOKEN
+from ..language.speech import say
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import litres, true_minus
+from .axes import SIZE, WIDTH, letter_type, text_width
 
 __all__ = ["waiting_bars"]
 
-LEFT, ZERO, RIGHT = 98.0, 160.0, 316.0
+LEFT, ZERO = 24.0, 160.0
 ROW = 28
+
+ASIDE = 6.0
+"""Blank between a bar and its text."""
+
+MOST_TIME, LEAST_SCALE_S = 62.0, 600.0
+"""Bars of time are at most so wide, and so wide only from this wait on."""
 
 
 def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> Tree:
@@ -41,10 +49,19 @@ def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> T
     waits = [vehicle.day.waiting_s for vehicle in vehicles]
     if max(saved) <= 0 and max(waits) < MENTIONED_S:
         return NOTHING
-    per_litre = (RIGHT - ZERO) / max(*saved, 1e-9)
-    per_second = (ZERO - LEFT) / max(*waits, 600.0)
+    # Each text has room beside its bar, in any language.
+    fuel_room = (WIDTH - ZERO - ASIDE - text_width(_litres(one), SIZE) for one in saved)
+    per_litre = min(
+        (room / one for room, one in zip(fuel_room, saved, strict=True) if one > 0), default=0.0
+    )
+    texts = (vehicle.day.text.waiting for vehicle in vehicles)
+    time_room = (min(MOST_TIME, ZERO - LEFT - ASIDE - text_width(one, SIZE)) for one in texts)
+    per_second = min(
+        max(room, 0.0) / max(wait, LEAST_SCALE_S)
+        for room, wait in zip(time_room, waits, strict=True)
+    )
     rows = [
-        _row(vehicle, litre * per_litre, wait * per_second, litre, 20 + ROW * place)
+        _row(members[place], vehicle, litre * per_litre, wait * per_second, litre, 20 + ROW * place)
         for place, (vehicle, litre, wait) in enumerate(zip(vehicles, saved, waits, strict=True))
     ]
     return Piece(
@@ -56,15 +73,20 @@ def waiting_bars(document: Document, members: Sequence[int], key: str = "") -> T
             "left": ZERO - 6,
             "right": ZERO + 6,
             "rows": tuple(rows),
-            "title": "; ".join(
-                f"{vehicle.letter} {_litres(litre)}, {vehicle.day.text.waiting}"
-                for vehicle, litre in list(zip(vehicles, saved, strict=True))[:MOST_SPOKEN]
+            "title": say(
+                "waiting.title",
+                who="; ".join(
+                    f"{vehicle.letter} {_litres(litre)}, {vehicle.day.text.waiting}"
+                    for vehicle, litre in list(zip(vehicles, saved, strict=True))[:MOST_SPOKEN]
+                ),
             ),
         },
     )
 
 
-def _row(vehicle: Vehicle, fuel_width: float, wait_width: float, litre: float, y: float) -> Piece:
+def _row(
+    index: int, vehicle: Vehicle, fuel_width: float, wait_width: float, litre: float, y: float
+) -> Piece:
     shapes: list[Piece] = []
     if fuel_width > 0:
         shapes.append(
@@ -102,9 +124,10 @@ def _row(vehicle: Vehicle, fuel_width: float, wait_width: float, litre: float, y
         "waiting-row",
         {
             "y": y,
+            "index": index,
             "colour": vehicle.colour,
             "letter": vehicle.letter,
-            "size": vehicle.letter_size,
+            "size": letter_type(vehicle.letter),
             "shapes": tuple(shapes),
         },
     )

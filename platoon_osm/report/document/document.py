@@ -21,6 +21,7 @@ from .checks import check_title
 from .event_marks import event_mark, told_events
 from .findings import find
 from .journey import rounded
+from .long_drives import long_drives
 from .map_lines import inferred_routes, platoon_line, solo_line
 from .model import CostLabel, Document
 from .model_map import Basemap
@@ -156,4 +157,6 @@ def _document(
         junctions=junction_labels(net),
         basemap=Basemap(network_lines(net, inferred=False), network_lines(net, inferred=True)),
         provenance=provenance(plan, net, found.unit),
+        levels=found.levels,
+        long_drives=long_drives(found),
     )

@@ -14,7 +14,7 @@ from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
 from ..markup.quantities import CostUnit, cost_unit
 from .alone_costs import with_alone_costs
 from .checks import check_plan, check_styles
-from .journey import journey
+from .journey import journey, levels
 from .line_parts import PlatoonPart, SoloPart, platoon_parts, solo_parts
 from .model_day import JourneyScale
 from .opposite import opposite_gaps
@@ -52,6 +52,8 @@ class Findings:
         When each event of the plan is [s]; None without times.
     scale : JourneyScale or None
         The common scale of distance, not rounded.
+    levels : tuple of float or None
+        Where each vehicle starts on the scale of its own group; None if that has none.
     """
 
     plan: Plan
@@ -66,6 +68,7 @@ class Findings:
     ways: tuple[Way, ...]
     moments: tuple[float | None, ...]
     scale: JourneyScale | None
+    levels: tuple[float | None, ...]
 
     def letters(self, vehicles: Sequence[int]) -> list[str]:
         """Return what some vehicles are called in pictures.
@@ -135,6 +138,7 @@ def find(
         ways=_ways(plan),
         moments=tuple(moment_of(plan, event) for event in plan.events),
         scale=journey(plan, groups),
+        levels=levels(plan, groups),
     )
 
 

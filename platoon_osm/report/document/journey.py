@@ -14,7 +14,7 @@ from itertools import accumulate
 from ...plans.plan import Plan
 from .model_day import JourneyScale
 
-__all__ = ["journey", "rounded"]
+__all__ = ["journey", "levels", "rounded"]
 
 AGREE_M = 100.0
 """How far two stretches may put one vehicle apart before no common scale is drawn."""
@@ -38,17 +38,37 @@ def journey(plan: Plan, groups: Sequence[tuple[int, ...]]) -> JourneyScale | Non
         Not rounded. None if vehicles that part and meet again drive ways of other length in
         between.
     """
-    starts: dict[int, float] = {}
-    for group in groups:
-        found = _level(plan, group)
-        if found is None:
-            return None
-        first = min(found.values())
-        starts |= {index: start - first for index, start in found.items()}
-    every = tuple(starts.get(index, 0.0) for index in range(len(plan.vehicles)))
+    found = levels(plan, groups)
+    if any(found[index] is None for group in groups for index in group):
+        return None
+    every = tuple(start or 0.0 for start in found)
     ends = [start + one.length_m for start, one in zip(every, plan.vehicles, strict=True)]
     guide = _guide(plan, groups[0]) if len(groups) == 1 else None
     return JourneyScale(max(ends), every, 0 if len(plan.vehicles) == 1 else guide)
+
+
+def levels(plan: Plan, groups: Sequence[tuple[int, ...]]) -> tuple[float | None, ...]:
+    """Return where each vehicle starts on the scale of its own group.
+
+    Parameters
+    ----------
+    plan : Plan
+        Whose vehicles they are.
+    groups : sequence of tuple of int
+        Vehicles that belong together.
+
+    Returns
+    -------
+    tuple of float or None
+        In metres from where the first of its group starts; None if the group has no scale. A
+        vehicle alone starts at 0.
+    """
+    starts: dict[int, float | None] = {}
+    for group in groups:
+        found = _level(plan, group)
+        first = min(found.values()) if found else 0.0
+        starts |= {index: found[index] - first if found else None for index in group}
+    return tuple(starts.get(index, 0.0) for index in range(len(plan.vehicles)))
 
 
 def rounded(scale: JourneyScale | None) -> JourneyScale | None:

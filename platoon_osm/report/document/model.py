@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ..drawing.lines import Line
-from .model_day import DaySchedule, JourneyScale
+from .model_day import DaySchedule, JourneyScale, LongDrive
 from .model_map import Basemap, EventMark, JunctionLabel, PlatoonLine, SoloLine, TownLabel
 from .model_vehicle import CostTexts, Vehicle
 
@@ -217,6 +217,10 @@ class Document:
         The network in the background.
     provenance : Provenance
         Where the plan comes from.
+    levels : tuple of float or None
+        Where each vehicle starts on the scale of its own group; None if that has none.
+    long_drives : tuple of LongDrive
+        Who drives beyond 4 h 30 without a break.
     """
 
     format: str
@@ -239,6 +243,8 @@ class Document:
     junctions: tuple[JunctionLabel, ...]
     basemap: Basemap
     provenance: Provenance
+    levels: tuple[float | None, ...] = field(metadata=NOT_IN_JSON)
+    long_drives: tuple[LongDrive, ...] = field(metadata=NOT_IN_JSON)
 
     def piece_m(self, kind: str, piece: int) -> float:
         """Return the length of a piece of a vehicle's way.

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ...plans.clock import Clock, Offsets
+from ..language.speech import zone_text
 
 __all__ = [
     "DaySchedule",
@@ -12,6 +13,7 @@ __all__ = [
     "Fatigue",
     "FatigueCurve",
     "JourneyScale",
+    "LongDrive",
     "VehicleDay",
     "VehicleDayTexts",
 ]
@@ -75,6 +77,8 @@ class DaySchedule:
         Whether all arrive in time.
     text : DayTexts
         The same for reading.
+    zone_name : str
+        Of the zone alone, such as "Europe/Rome"; empty if it has none.
     """
 
     start: str
@@ -86,11 +90,30 @@ class DaySchedule:
     waiting_s: float
     feasible: bool
     text: DayTexts
+    zone_name: str = field(metadata={"json": False})
 
     @property
     def clock(self) -> Clock:
         """What turns seconds into times of day."""
-        return Clock.from_text(self.start, offsets=self.offsets)
+        return Clock.from_text(self.start, self.zone_name, self.offsets)
+
+    def zone_of(self, begin_s: float, end_s: float) -> str:
+        """Return the zone by which times of a span are told, with the offsets that hold in it.
+
+        Parameters
+        ----------
+        begin_s, end_s : float
+            The span.
+
+        Returns
+        -------
+        str
+            As `zone` where clocks change within the span, else with one offset.
+        """
+        clock = self.clock
+        if len(clock.spells(begin_s, end_s)) > 1:
+            return self.zone
+        return zone_text(Clock(clock.moment(begin_s), self.zone_name))
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,3 +214,28 @@ class Fatigue:
     def curves(self) -> tuple[FatigueCurve, FatigueCurve]:
         """Both curves."""
         return self.alone, self.joint
+
+
+@dataclass(frozen=True, slots=True)
+class LongDrive:
+    """Driving beyond 4 h 30 without a break.
+
+    Attributes
+    ----------
+    vehicle : int
+        Position in the document.
+    drive_s : float
+        How long it drives at a stretch.
+    at_m : float
+        Where 4 h 30 are reached, from its start.
+    at_s : float or None
+        When, on the clock of the plan; None without times.
+    place : str
+        The junction nearest to it; empty if there is none.
+    """
+
+    vehicle: int
+    drive_s: float
+    at_m: float
+    at_s: float | None
+    place: str

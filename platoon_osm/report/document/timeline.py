@@ -5,10 +5,11 @@ Only plans with a timetable have one; nothing here invents a time.
 
 from __future__ import annotations
 
-from ...plans.clock import MENTIONED_S, Clock, duration, late_by
+from ...plans.clock import MENTIONED_S, Clock, duration
 from ...plans.plan import Plan
 from ...plans.records import Event
 from ...plans.timetable import VehicleTimes
+from ..language.speech import clock_time, day_and_date, late_by, zone_text
 from .model_day import DaySchedule, DayTexts, VehicleDay, VehicleDayTexts
 
 __all__ = ["timeline", "vehicle_day", "waits_at"]
@@ -35,14 +36,15 @@ def timeline(plan: Plan) -> DaySchedule | None:
     end = max(times.arrival_s for times in table.vehicles)
     return DaySchedule(
         start=table.start,
-        zone=clock.zone,
+        zone=zone_text(clock),
         since_midnight_s=round(clock.since_midnight_s, 1),
         offsets=clock.offsets,
         begin_s=round(begin, 1),
         end_s=round(end, 1),
         waiting_s=round(table.waiting_s, 1),
         feasible=table.feasible,
-        text=DayTexts(clock.moment(begin).strftime("%Y-%m-%d"), duration(table.waiting_s)),
+        text=DayTexts(day_and_date(clock.moment(begin)), duration(table.waiting_s)),
+        zone_name=clock.name,
     )
 
 
@@ -85,10 +87,10 @@ def vehicle_day(plan: Plan, index: int) -> VehicleDay | None:
 def _texts(times: VehicleTimes, clock: Clock) -> VehicleDayTexts:
     earliest, latest = times.earliest_departure_s, times.latest_arrival_s
     return VehicleDayTexts(
-        departure=clock.text(times.departure_s),
-        arrival=clock.text(times.arrival_s),
-        earliest="" if earliest is None else clock.text(earliest),
-        latest="" if latest is None else clock.text(latest),
+        departure=clock_time(clock, times.departure_s),
+        arrival=clock_time(clock, times.arrival_s),
+        earliest="" if earliest is None else clock_time(clock, earliest),
+        latest="" if latest is None else clock_time(clock, latest),
         waiting=duration(times.waiting_s),
         held=duration(times.held_s) if times.held_s >= MENTIONED_S else "",
         late=late_by(times.late_s) if times.late_s else "",

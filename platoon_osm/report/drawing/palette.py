@@ -19,6 +19,7 @@ __all__ = [
     "PAPER",
     "PLATOON",
     "PLATOON_CASING",
+    "TICK",
     "VEHICLES",
 ]
 
@@ -37,6 +38,9 @@ PLATOON_CASING = "#8a6a00"
 
 NETWORK = "#c5ccd5"
 """The background on paper, where it is thinner than on a screen."""
+
+TICK = "#e8ecf0"
+"""Lines of a scale behind a chart."""
 
 LATE = "#a3260a"
 LOSS = LATE

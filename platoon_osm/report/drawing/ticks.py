@@ -6,7 +6,7 @@ import math
 
 from ...plans.clock import Clock
 
-__all__ = ["hour_ticks", "round_below", "round_step"]
+__all__ = ["MOST_HOURS", "hour_ticks", "round_below", "round_step"]
 
 MOST_HOURS = 7
 """Ticks of a clock that can be read beside one another."""
@@ -48,7 +48,9 @@ def round_below(most: float) -> float:
     return max(k * power for k in (1, 2, 5) if k * power <= most)
 
 
-def hour_ticks(clock: Clock, begin_s: float, end_s: float) -> list[tuple[float, str]]:
+def hour_ticks(
+    clock: Clock, begin_s: float, end_s: float, most: int = MOST_HOURS
+) -> list[tuple[float, str]]:
     """Return whole hours, or parts of one, within a span, few enough to be read.
 
     Parameters
@@ -57,6 +59,8 @@ def hour_ticks(clock: Clock, begin_s: float, end_s: float) -> list[tuple[float, 
         What turns seconds into times of day.
     begin_s, end_s : float
         The span, in seconds of that clock.
+    most : int
+        That can be read beside one another.
 
     Returns
     -------
@@ -64,7 +68,8 @@ def hour_ticks(clock: Clock, begin_s: float, end_s: float) -> list[tuple[float, 
         Each moment [s] and its time of day.
     """
     hours = (end_s - begin_s) / 3600
-    step = next((h for h in STEPS_H if hours / h <= MOST_HOURS), math.ceil(hours / 168) * 24) * 3600
+    least = math.ceil(hours / (24 * most)) * 24
+    step = next((h for h in STEPS_H if hours / h <= most), least) * 3600
     moments: list[float] = []
     for begin, end, ahead in clock.spells(begin_s, end_s):
         midnight = clock.since_midnight_s + ahead

@@ -39,6 +39,7 @@ FRAGMENT_FILES = (
     "map.svg.html",
     "charts.html",
     "schedule.html",
+    "time_distance.html",
     "comparison.html",
     "flows.html",
     "notebook.html",

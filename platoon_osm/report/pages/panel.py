@@ -5,8 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from ..charts.charts import along_chart, fatigue_chart
+from ..charts.along_chart import along_chart
+from ..charts.driving_note import driving_note
+from ..charts.fatigue_chart import fatigue_chart
 from ..charts.schedule_chart import late_note, schedule_chart
+from ..charts.time_distance_chart import time_distance_chart
 from ..charts.waiting_bars import waiting_bars
 from ..document.model import Document, Group
 from ..document.model_vehicle import CostTexts, Vehicle
@@ -52,7 +55,7 @@ def page_body(document: Document, live_map: Tree) -> Piece:
             "heading": heading(document),
             "journey": _journey(document),
             "vehicles": _vehicles(document),
-            "fatigue": fatigue_chart(document),
+            "fatigue": (fatigue_chart(document), driving_note(document)),
             "notes": _notes(document),
             "about": about(
                 document,
@@ -120,7 +123,10 @@ def _parts(
         bars = (cost_bars(document, members, key), waiting_bars(document, members, key))
     return {
         "table": cost_table(document, members, *table),
-        "day": schedule_chart(document, members, key),
+        "day": (
+            schedule_chart(document, members, key),
+            time_distance_chart(document, members, key),
+        ),
         "bars": bars,
         "along": _way(document, members, key) if together else NOTHING,
         "events": _events(document, members, key),
