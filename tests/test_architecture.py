@@ -24,7 +24,9 @@ WALLS = {
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "planning": ("timing", "company", "scenario"),
-    "report": ("language", "markup", "drawing", "document", "maps", "charts", "exports", "pages"),
+    "report": (
+        "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",
+    ),
     "cli": ("verbs",),
 }  # fmt: skip
 """The order of the parts of each folder that has folders inside: each may import those to its left.

@@ -26,7 +26,7 @@ ONCE = {
     ],
     one_pass: [
         "find", "title_of", "subtitle_of", "totals", "groups", "timeline", "inferred_routes",
-        "town_labels", "junction_labels", "provenance",
+        "surroundings", "junction_labels", "provenance",
     ],
 }  # fmt: skip
 

@@ -1,10 +1,11 @@
-/* What lies under the plan: the network, an online map if asked for, and the junctions. */
+/* What lies under the plan: land and sea or an online map, the network, towns and junctions. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function drawGround({ plan, map, group }) {
 
 const { element } = pageElements;
 const { decodedLines } = planLines;
 const BASEMAP_STEPS = 1e4;
+const frame = map.getContainer();
 
 /* Canvases do not see style sheets: they are told the colours of theme.css, again when these change. */
 const painted = [];
@@ -26,8 +27,58 @@ for (const query of ["(prefers-color-scheme: dark)", "(forced-colors: active)"])
   });
 }
 
+const canvas = L.canvas({ pane: "network", padding: 0.3 });
+
+/* Coarse patches first: each finer one lays sea over its part of the world, and its own land on it.
+ * They are in no group: the legend has no say in them. */
+function drawLand() {
+  frame.classList.add("at-sea");
+  const plain = { pane: "network", renderer: canvas, interactive: false };
+  const filled = { ...plain, stroke: false, fillOpacity: 1 };
+  for (const { frame: [west, south, east, north], steps, land, borders } of plan.ground.patches) {
+    const part = L.rectangle([[south, west], [north, east]], filled);
+    paint(part, { fillColor: "sea" }).addTo(map);
+    const rings = decodedLines(land, steps).map((ring) => [ring]);
+    // Water inside land runs the other way round than land does.
+    const ground = L.polygon(rings, { ...filled, fillRule: "nonzero", smoothFactor: 0.8 });
+    paint(ground, { fillColor: "land" }).addTo(map);
+    const lines = L.polyline(decodedLines(borders, steps), {
+      ...plain, weight: 1, opacity: 1, dashArray: "5 3", smoothFactor: 0.8,
+    });
+    paint(lines, { color: "border" }).addTo(map);
+  }
+}
+
+/* From which zoom on towns have a dot, and how large it is: cities, towns, villages. */
+const TOWN_ZOOM = [0, 7, 9.5];
+const TOWN_RADIUS = [2.6, 2, 1.6];
+
+function drawTowns() {
+  const kinds = TOWN_ZOOM.map(() => L.layerGroup());
+  for (const [lon, lat, , rank] of plan.towns) {
+    const dot = L.circleMarker([lat / BASEMAP_STEPS, lon / BASEMAP_STEPS], {
+      pane: "network", renderer: canvas, interactive: false, radius: TOWN_RADIUS[rank], stroke: false,
+      fillOpacity: 1,
+    });
+    paint(dot, { fillColor: "town" }).addTo(kinds[rank]);
+  }
+  byZoom(group("names"), kinds, TOWN_ZOOM);
+}
+
+/* Show layers of a group from their zooms on. */
+function byZoom(all, layers, least) {
+  const settle = () => layers.forEach((layer, i) => {
+    const near = map.getZoom() >= least[i];
+    if (near === all.hasLayer(layer)) return;
+    if (near) all.addLayer(layer);
+    else all.removeLayer(layer);
+  });
+  map.on("zoomend", settle);
+  settle();
+}
+
 function drawBackground() {
-  const renderer = L.canvas({ pane: "network", padding: 0.3 });
+  const renderer = canvas;
   const known = decodedLines(plan.basemap.known, BASEMAP_STEPS);
   const inferred = decodedLines(plan.basemap.inferred, BASEMAP_STEPS);
   const style = { pane: "network", renderer, interactive: false, smoothFactor: 1.2, opacity: 1 };
@@ -51,17 +102,11 @@ function drawJunctions() {
       .bindTooltip(element("bdi", "", name), { direction: "top", opacity: 1 })
       .addTo(dots);
   }
-  const byZoom = () => {
-    const near = map.getZoom() >= planLabels.NEAR_ZOOM;
-    if (near !== group("junctions").hasLayer(dots)) {
-      if (near) group("junctions").addLayer(dots);
-      else group("junctions").removeLayer(dots);
-    }
-  };
-  map.on("zoomend", byZoom);
-  byZoom();
+  byZoom(group("junctions"), [dots], [planLabels.NEAR_ZOOM]);
 }
 
+if (plan.ground && !plan.tiles) drawLand();
 drawBackground();
+drawTowns();
 drawJunctions();
 }

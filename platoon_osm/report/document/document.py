@@ -25,8 +25,9 @@ from .long_drives import long_drives
 from .map_lines import inferred_routes, platoon_line, solo_line
 from .model import CostLabel, Document
 from .model_map import Basemap
-from .place_labels import junction_labels, town_labels
+from .place_labels import junction_labels
 from .provenance import provenance
+from .surroundings import surroundings
 from .timeline import timeline
 from .totals import groups, subtitle_of, title_of, totals
 from .vehicles import vehicle
@@ -136,6 +137,9 @@ def _document(
     styles: Mapping[str, VehicleStyle] | None,
 ) -> Document:
     found = find(plan, net, weights, styles)
+    vehicles = tuple(vehicle(found, index) for index in range(len(plan.vehicles)))
+    stops = [(s.lon, s.lat) for one in vehicles for s in (one.origin, one.destination)]
+    around = surroundings(net, stops)
     return Document(
         format="platoon_osm report",
         version=DOCUMENT_VERSION,
@@ -145,7 +149,7 @@ def _document(
         subtitle=subtitle_of(found),
         cost_unit=CostLabel(found.unit.label, found.unit.note, found.unit.scale),
         totals=totals(found),
-        vehicles=tuple(vehicle(found, index) for index in range(len(plan.vehicles))),
+        vehicles=vehicles,
         groups=tuple(groups(found)),
         platoons=tuple(platoon_line(found, number) for number in range(len(found.platoons))),
         solos=tuple(solo_line(found, number) for number in range(len(found.solos))),
@@ -153,10 +157,11 @@ def _document(
         journey=rounded(found.scale),
         schedule=timeline(plan),
         inferred_routes=tuple(inferred_routes(found)),
-        towns=town_labels(net),
+        towns=around.towns,
         junctions=junction_labels(net),
         basemap=Basemap(network_lines(net, inferred=False), network_lines(net, inferred=True)),
-        provenance=provenance(plan, net, found.unit),
+        ground=around.ground,
+        provenance=around.told_in(provenance(plan, net, found.unit)),
         levels=found.levels,
         long_drives=long_drives(found),
     )

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from ..drawing.lines import Line
+from ..ground.model import Ground
 from .model_day import DaySchedule, JourneyScale, LongDrive
 from .model_map import Basemap, EventMark, JunctionLabel, PlatoonLine, SoloLine, TownLabel
 from .model_vehicle import CostTexts, Vehicle
@@ -215,6 +216,8 @@ class Document:
         Interchanges first.
     basemap : Basemap
         The network in the background.
+    ground : Ground or None
+        Land, sea and borders under it; None where it does not lie on land.
     provenance : Provenance
         Where the plan comes from.
     levels : tuple of float or None
@@ -242,6 +245,7 @@ class Document:
     towns: tuple[TownLabel, ...]
     junctions: tuple[JunctionLabel, ...]
     basemap: Basemap
+    ground: Ground | None
     provenance: Provenance
     levels: tuple[float | None, ...] = field(metadata=NOT_IN_JSON)
     long_drives: tuple[LongDrive, ...] = field(metadata=NOT_IN_JSON)

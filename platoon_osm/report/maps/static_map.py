@@ -9,6 +9,7 @@ from ..drawing.crowd import CROWD, MOST_SPOKEN
 from ..drawing.palette import CASING
 from ..drawing.ticks import round_below
 from ..markup.fragments import NOTHING, Piece, Tree
+from .ground_paths import BEYOND, ground_piece, town_dots
 from .lanes import band_strips, solo_strips
 from .map_texts import NAME_SIZE, Callout, placed_callouts, placed_names
 from .map_view import MapView
@@ -52,6 +53,8 @@ def static_map(document: Document) -> Piece:
                 f"{v.letter} {v.origin.name} to {v.destination.name}"
                 for v in document.vehicles[:MOST_SPOKEN]
             ),
+            "ground": ground_piece(document, view, BEYOND),
+            "towns": town_dots(document, view),
             **_background(document, view),
             **_foreground(document, view, NARROW, whole=True),
         },
@@ -87,6 +90,10 @@ def small_maps(documents: Sequence[Document]) -> list[Piece]:
                     "width": f"{view.width:g}",
                     "height": f"{view.height:g}",
                     "title": f"Map: {document.title}, {document.subtitle}",
+                    "ground": Piece("small-ground-again", {})
+                    if maps
+                    else Piece("small-ground", {"ground": ground_piece(documents[0], view)}),
+                    "towns": town_dots(document, view),
                     "network": NOTHING if maps else Piece("small-network", {"path": path}),
                     **_foreground(document, view, SMALL_NARROW, whole=False),
                 },

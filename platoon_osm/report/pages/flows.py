@@ -14,6 +14,7 @@ from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
 from ..drawing.palette import FLOWS, GAIN, LOSS
 from ..language.speech import speaking
+from ..maps.ground_paths import BEYOND, ground_piece, town_dots
 from ..maps.map_texts import placed_names
 from ..maps.map_view import MapView
 from ..maps.pixels import network_path, path_data, shifted, simplified
@@ -174,6 +175,8 @@ def _map(found: FlowDocument) -> Piece:
             "width": f"{view.width:g}",
             "height": f"{view.height:g}",
             "title": f"Vehicles per road: {document.subtitle}",
+            "ground": ground_piece(document, view, BEYOND),
+            "towns": town_dots(document, view),
             "network": network,
             "casings": tuple(casings),
             "roads": tuple(roads),

@@ -1,0 +1,1 @@
+"""Land, sea and borders under the maps."""
