@@ -18,6 +18,7 @@ from ..drawing.lines import Point
 from ..ground.clipping import Frame
 from ..ground.model import Ground
 from ..ground.patches import ground_under
+from ..language.speech import say
 from .model import LabelledText, Provenance
 from .model_map import TownLabel
 from .place_labels import LONGEST_NAME, town_labels
@@ -72,7 +73,7 @@ class Surroundings:
         """
         if self.ground is None:
             return provenance
-        row = LabelledText("Ground", "Natural Earth, public domain; borders as they are held")
+        row = LabelledText(say("ground.label"), say("ground.source"))
         return replace(
             provenance,
             rows=(*provenance.rows, row),
