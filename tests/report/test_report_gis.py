@@ -32,7 +32,7 @@ def test_geopackage_opens_again(plan: JointPlan, net: RoadNetwork, tmp_path: Pat
     path = tmp_path / "plan.gpkg"
     write_geopackage(plan, net, path)
     assert {name for name, _ in pyogrio.list_layers(path)} == {
-        "routes", "platoons", "points", "network", "about",
+        "routes", "platoons", "points", "network", "about", "layer_styles",
     }  # fmt: skip
     routes = geopandas.read_file(path, layer="routes")
     assert routes.crs == "EPSG:4326"

@@ -20,7 +20,7 @@ from typing import Any
 
 from ...shown_text import shortened
 
-__all__ = ["Layer", "write_layers"]
+__all__ = ["Layer", "changed_at", "write_layers"]
 
 LONGEST = 120
 """Characters of what GDAL and SQLite say."""
@@ -48,11 +48,14 @@ class Layer:
         Its rows.
     geometry : str or None
         "Point" or "LineString"; None for a table without shapes.
+    key : str
+        What its column of row numbers is called.
     """
 
     name: str
     frame: Any
     geometry: str | None
+    key: str = "fid"
 
 
 def write_layers(draft: Path, layers: Sequence[Layer], data_of: str) -> None:
@@ -84,7 +87,7 @@ def write_layers(draft: Path, layers: Sequence[Layer], data_of: str) -> None:
             try:
                 pyogrio.write_dataframe(
                     layer.frame, draft, layer=layer.name, driver="GPKG", append=draft.exists(),
-                    geometry_type=layer.geometry,
+                    geometry_type=layer.geometry, FID=layer.key,
                 )  # fmt: skip
             except (*errors, pyogrio.errors.FeatureError, RuntimeError) as error:
                 # As an OSError it is told like any other failure to write.

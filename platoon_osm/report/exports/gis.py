@@ -17,9 +17,11 @@ from ...shown_text import shown
 from ..document.checks import check_path
 from ..document.findings import moment_of
 from ..document.provenance import credits, proof_text
+from ..drawing.vehicle_styles import vehicle_styles
 from ..markup.quantities import cost_unit
-from .geopackage import Layer, write_layers
+from .geopackage import Layer, changed_at, write_layers
 from .legs import leg_columns, leg_rows, roads_of
+from .qgis_styles import STYLES, style_rows
 
 if TYPE_CHECKING:
     import geopandas
@@ -63,7 +65,8 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
 
     Layers: `routes` (as `to_geodataframe`), `platoons` (stretches of one company), `points`
     (starts, destinations, merges, separations), `network` (all edges), `about` (a table: network,
-    method, proof, parameters, attribution).
+    method, proof, parameters, attribution). `layer_styles` tells QGIS how to show them: as the
+    page does.
 
     Parameters
     ----------
@@ -86,15 +89,18 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
     laid, cut = laid_out(plan, net)
     platoons = [stretch for stretch in laid.stretches if stretch.together]
     names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
+    data_of = plan.network.extracted or net.source.extracted
+    styles = style_rows(names, vehicle_styles(names), changed_at(data_of))
     layers = [
         Layer("routes", routes, "LineString"),
         Layer("platoons", _platoons(cut, platoons, names), "LineString"),
         Layer("points", _points(plan, plan.events, names), "Point"),
         Layer("network", _network(net), "LineString"),
         Layer("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
+        Layer(STYLES, styles, None, key="id"),  # QGIS calls it so
     ]
     with whole_file(path, suffixes=(".gpkg",)) as draft:
-        write_layers(draft, layers, plan.network.extracted or net.source.extracted)
+        write_layers(draft, layers, data_of)
 
 
 def _lines_frame(columns: Mapping[str, Any], lines: Iterable[Any]) -> geopandas.GeoDataFrame:
