@@ -237,8 +237,16 @@ def test_colours_keep_their_contrast_with_white() -> None:
 
 
 def test_short_names_are_letters_themselves() -> None:
-    assert [style.letter for style in vehicle_styles(["X1", "Q"])] == ["X1", "Q"]
-    assert [style.letter for style in vehicle_styles(["X1", "X 1"])] == ["A", "B"]
+    def letters(*names: str) -> list[str]:
+        return [style.letter for style in vehicle_styles(names)]
+
+    assert letters("X1", "Q", "T12") == ["X1", "Q", "T12"]
+    # Who has no short name gets a letter that is nobody's name.
+    assert letters("Truck 1", "B", "Truck 3", "a", "Truck 5") == ["C", "B", "D", "a", "E"]
+    assert letters("X1", "X 1", "\u0414\u0410", "WWWW") == ["X1", "A", "B", "C"]
+    many = letters(*(f"Truck {k}" for k in range(1000)), "ZZ")
+    assert len(set(many)) == 1001
+    assert many.count("ZZ") == 1
 
 
 def test_figures() -> None:

@@ -192,6 +192,7 @@ def test_legend_of_a_crowd_is_grouped(
     assert page.locator(".legend-group").count() == 2
     first = page.locator('[data-layer="vehicle-1"]')
     assert not first.is_visible()
+    page.locator(".legend-crowd > summary").click()
     page.locator(".legend-vehicles > summary").first.focus()
     page.keyboard.press("Enter")
     assert first.is_visible()

@@ -3,10 +3,14 @@
 const dayByClock = (plan) => {
 
 const { begin_s: begin, end_s: end, since_midnight_s: midnight, offsets } = plan.schedule;
+const { clock, say } = pageElements;
 const DAY_MIN = 24 * 60;
 
 /* Times of the document are rounded to a tenth of a second. */
 const NEAR = 0.06;
+
+/* Who is held back for less is as good as gone. */
+const WORTH_SAYING = 30;
 
 /* The offset from UTC that holds at a moment; 0 where clocks do not change, for then none is needed. */
 const offset = (at) => (offsets.filter(([from]) => from <= at + NEAR).pop() ?? offsets[0] ?? [0, 0])[1];
@@ -27,40 +31,48 @@ function text(seconds) {
   const days = Math.floor(minutes / DAY_MIN);
   const minute = minutes - days * DAY_MIN;
   const two = (number) => String(number).padStart(2, "0");
-  return `${two(Math.floor(minute / 60))}:${two(minute % 60)}${days ? ` ${days > 0 ? "+" : ""}${days} d` : ""}${twice ? ` ${named(here)}` : ""}`;
+  const hour = Math.floor(minute / 60);
+  const time = clock === 12
+    ? `${((hour + 11) % 12) + 1}:${two(minute % 60)}\u00a0${say(hour >= 12 ? "pm" : "am")}`
+    : `${two(hour)}:${two(minute % 60)}`;
+  return `${time}${days ? ` ${days > 0 ? "+" : ""}${days} ${say("day")}` : ""}${twice ? ` ${named(here)}` : ""}`;
 }
 
 /* The piece a vehicle is on, as its number in the way, the share of it that is driven, and what the
- * vehicle does. Who waits stands where its next piece begins. */
+ * vehicle does. Who waits stands where its next piece begins; who is held back, or has not left, at its
+ * start. */
 function place(index, at) {
-  const { departure_s: departure, arrival_s: arrival, spans } = plan.vehicles[index].times;
-  if (at < departure - NEAR) return { number: 0, share: 0, state: "not yet left" };
-  if (at >= arrival - NEAR) return { number: spans.length - 1, share: 1, state: "arrived" };
+  const { departure_s: departure, arrival_s: arrival, earliest_departure_s: ready, spans } = plan.vehicles[index].times;
+  if (at < departure - NEAR) {
+    const held = ready !== null && ready <= at + NEAR && departure - ready > WORTH_SAYING;
+    return { number: 0, share: 0, state: held ? "state-held" : "state-not-left" };
+  }
+  if (at >= arrival - NEAR) return { number: spans.length - 1, share: 1, state: "state-arrived" };
   const next = spans.findIndex(([, last]) => at < last - NEAR);
   const [first, last] = spans[next];
-  if (at < first - NEAR) return { number: next, share: 0, state: "waiting" };
+  if (at < first - NEAR) return { number: next, share: 0, state: "state-waiting" };
   const share = Math.min(Math.max((at - first) / (last - first || 1), 0), 1);
   const [kind] = plan.vehicles[index].way[next];
-  return { number: next, share, state: kind === "platoon" ? "in platoon" : "alone" };
+  return { number: next, share, state: kind === "platoon" ? "state-together" : "state-alone" };
 }
 
 const LISTED = 8;
-const STATES = ["in platoon", "alone", "waiting", "not yet left", "arrived"];
+const STATES = ["state-together", "state-alone", "state-waiting", "state-held", "state-not-left", "state-arrived"];
 
 /* What all do, such as "A, B in platoon; C waiting"; a crowd is counted. */
 function doing(at) {
   const found = new Map();
   plan.vehicles.forEach((vehicle, index) => {
     const { state, number } = place(index, at);
-    const key = state === "in platoon" ? `${state} ${vehicle.way[number][1]}` : state;
+    const key = state === "state-together" ? `${state} ${vehicle.way[number][1]}` : state;
     found.set(key, { state, letters: [...(found.get(key)?.letters ?? []), vehicle.letter] });
   });
   const many = plan.vehicles.length > LISTED;
   const all = [...found.values()].sort((a, b) => STATES.indexOf(a.state) - STATES.indexOf(b.state));
-  if (!many) return all.map(({ state, letters }) => `${letters.join(", ")} ${state}`).join("; ");
+  if (!many) return all.map(({ state, letters }) => `${letters.join(", ")} ${say(state)}`).join("; ");
   return STATES.map((state) => {
     const count = all.reduce((sum, one) => sum + (one.state === state ? one.letters.length : 0), 0);
-    return count ? `${count} ${state}` : "";
+    return count ? `${count} ${say(state)}` : "";
   }).filter(Boolean).join("; ");
 }
 

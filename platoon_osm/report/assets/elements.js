@@ -37,5 +37,12 @@ function say(key, fields = {}) {
   return text.replace(/\{(\w+)\}/g, (_, name) => shown[name]);
 }
 
-return { element, drawn, isolated, say, number, language, clock };
+/* The type size at which a letter, or a count, fits its disc; drawing/vehicle_styles.py has the same. */
+function letterSize(letter) {
+  const size = [11.5, 9, 8][Math.min(letter.length, 3) - 1];
+  const wide = letter.length > 1 ? letter.replace(/[^MWmw]/g, "").length : 0;
+  return size * (1 - 0.09 * wide);
+}
+
+return { element, drawn, isolated, letterSize, say, number, language, clock };
 })();

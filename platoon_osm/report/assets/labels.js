@@ -1,6 +1,6 @@
 /* Callouts of merges and separations, and names of places, where they cover least. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
-function planLabels({ plan, map, lanes, solos, platoons, marks, hidden }) {
+function planLabels({ plan, map, lanes, solos, platoons, routes, marks, hidden }) {
 
 const { element } = pageElements;
 const { laid } = planLines;
@@ -29,13 +29,16 @@ function arrange() {
   const cover = new Cover();
   const origin = map.getPixelOrigin();
   for (const solo of solos) {
+    if (plan.traffic && !solo.access) continue;
     if (hidden.has(`vehicle-${solo.vehicle}`)) continue;
     const roads = solo.parts.map((part) => ({
       points: part.points.map((at) => map.project(at)), aside: lanes.soloAside(part),
     }));
     cover.addLine(laid(roads, 0.7).map((p) => p.subtract(origin)), 2);
   }
+  for (const points of routes.ribbonLines()) cover.addLine(points, 3);
   for (const one of platoons) {
+    if (plan.traffic?.bundled) break;
     if (one.vehicles.every((index) => hidden.has(`vehicle-${index}`))) continue;
     const half = lanes.bandWidth(one.vehicles.length) / 2;
     const roads = one.parts.map((part) => ({
@@ -86,7 +89,7 @@ function arrangeCallouts(cover) {
   if (frame.clientWidth < 600) return;
   const callouts = [];
   plan.events.forEach((event, index) => {
-    if (!map.hasLayer(marks.eventMarks[index])) return;
+    if (!marks.tells(index)) return;
     const at = marks.eventAt(index);
     const box = element("div", "callout");
     const head = element("b", "", event.kind === "merge" ? "Merge: " : "Separation: ");

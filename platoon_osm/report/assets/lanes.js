@@ -18,11 +18,11 @@ const bandsWidth = (beside) => beside.reduce((sum, count) => sum + bandWidth(cou
 
 /* Where the road is driven the other way too, a strip of lines keeps right of the middle. The
  * carriageways of the map count: close up they are apart by themselves. */
-function apart(part, width) {
-  if (part.opposite_m === null) return 0;
-  const [lat] = part.points[0];
+function apart({ opposite_m: opposite, points }, width) {
+  if (opposite === null) return 0;
+  const [lat] = points[0];
   const metres = (40075016.7 * Math.cos((lat * Math.PI) / 180)) / (256 * 2 ** map.getZoom());
-  return Math.max(0, width / 2 + 0.5 - part.opposite_m / metres / 2);
+  return Math.max(0, width / 2 + 0.5 - opposite / metres / 2);
 }
 
 /* How far right of the road a band's middle lies, so that all bands on it show. */
@@ -45,5 +45,11 @@ function soloAside(part) {
   return step * part.slot - across / 2 + apart(part, across + 8);
 }
 
-return { fine, lineStep, bandWidth, bandAside, soloStep, soloAside };
+/* How far right of the road the outer edge of its bands is. */
+function besideBands(bands, opposite, at) {
+  const width = bandsWidth(bands);
+  return width / 2 + apart({ opposite_m: opposite, points: [at] }, width);
+}
+
+return { fine, lineStep, bandWidth, bandAside, soloStep, soloAside, besideBands };
 }

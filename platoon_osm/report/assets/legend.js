@@ -36,9 +36,9 @@ function changed() {
   settle();
 }
 
-for (const box of boxes) {
-  box.addEventListener("change", () => {
-    apply(box);
+for (const layer of boxes) {
+  layer.addEventListener("change", () => {
+    apply(layer);
     changed();
   });
 }
@@ -52,17 +52,23 @@ for (const { head, own } of heads) {
   });
 }
 
-const button = document.querySelector(".legend-button");
+const box = document.querySelector(".legend-box");
+const button = box.querySelector(".legend-button");
 button.addEventListener("click", () => {
   const open = button.getAttribute("aria-expanded") !== "true";
   button.setAttribute("aria-expanded", String(open));
-  document.querySelector(".legend-box").classList.toggle("open", open);
+  box.classList.toggle("open", open);
 });
-document.querySelector(".legend-box").addEventListener("keydown", (event) => {
+box.addEventListener("keydown", (event) => {
   if (event.key !== "Escape" || button.getAttribute("aria-expanded") !== "true") return;
+  event.preventDefault();
   button.click();
   button.focus();
 });
-L.DomEvent.disableClickPropagation(document.querySelector(".legend-box"));
-L.DomEvent.disableScrollPropagation(document.querySelector(".legend-box"));
+
+const settled = planRovers.rove(legend, () => [...legend.querySelectorAll("input, summary")]);
+legend.addEventListener("toggle", settled, true);
+new ResizeObserver(settled).observe(legend);
+L.DomEvent.disableClickPropagation(box);
+L.DomEvent.disableScrollPropagation(box);
 }

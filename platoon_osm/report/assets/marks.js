@@ -1,8 +1,8 @@
 /* Starts, destinations, merges and separations: marks that keep clear of one another. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
-function planMarks({ plan, map, hidden, tooltip }) {
+function planMarks({ plan, map, hidden, selection, tooltip }) {
 
-const { element, drawn, isolated } = pageElements;
+const { element, drawn, isolated, letterSize } = pageElements;
 const frame = map.getContainer();
 
 /* Many vehicles: starts near one another become one mark that counts them, until one zooms in. */
@@ -15,14 +15,18 @@ const EVENT_PX = 28;
 const FAR_PX = 15;
 
 const marks = [];
-const eventMarks = [];
 
-function mark(latlng, picture, size, label, name, options) {
+/* The mark of each event; events of a crowd near one another share one. */
+const eventMarks = [];
+let openEvent = () => {};
+
+function mark(latlng, picture, size, label, name, who, options) {
   const icon = L.divIcon({ html: picture, className: `mark ${name}`, iconSize: [size, size] });
   const made = L.marker(latlng, { icon, title: "", riseOnHover: true, ...options });
   made.on("add", () => {
     made.getElement().setAttribute("role", "button");
     made.getElement().setAttribute("aria-label", isolated(label));
+    selection.tag(made.getElement(), who);
   });
   return made;
 }
@@ -32,7 +36,7 @@ function endPicture(face, square) {
     ? drawn("rect", { x: -9.5, y: -9.5, width: 19, height: 19, rx: 3, fill: face.colour })
     : drawn("circle", { r: 10, fill: face.colour });
   const text = drawn("text", {
-    y: 3.9, "text-anchor": "middle", "font-size": face.letter.length > 1 ? 9 : 11.5,
+    y: 3.9, "text-anchor": "middle", "font-size": letterSize(face.letter),
     "font-weight": 700, fill: "#fff",
   });
   text.textContent = face.letter;
@@ -41,28 +45,54 @@ function endPicture(face, square) {
   return drawn("svg", { viewBox: "-12 -12 24 24", width: 24, height: 24 }, shape, text);
 }
 
-function eventPicture(event) {
-  const use = drawn("use", { href: `#icon-${event.kind}` });
-  return drawn("svg", { viewBox: "-13 -13 26 26", width: 28, height: 28 }, use);
+function eventPicture(kind, count) {
+  const made = drawn("svg", { viewBox: "-13 -13 26 26", width: 28, height: 28 },
+    drawn("use", { href: `#icon-${kind}` }));
+  if (count > 1) {
+    const text = drawn("text", {
+      y: 3, "text-anchor": "middle", "font-size": 8.5, "font-weight": 700, fill: "#fff",
+    });
+    text.textContent = count;
+    made.append(drawn("g", { transform: "translate(9 8.5)" },
+      drawn("rect", { x: -8, y: -6, width: 16, height: 12, rx: 6, fill: "#4d5560", stroke: "#fff", "stroke-width": 1.2 }),
+      text));
+  }
+  return made;
 }
 
-/* Vehicles whose ends lie on one spot; of a crowd, so near that their marks would touch. */
-function spots(stopOf) {
+/* What lies on one spot, as positions; of a crowd, so near that marks would touch. What `apart` says
+ * has a mark of its own. */
+function spots(stops, apart) {
   const reach = crowd ? END_PX - 2 : 0.01;
   const found = [];
-  plan.vehicles.forEach((vehicle, index) => {
-    if (crowd && hidden.has(`vehicle-${index}`)) return;
-    const { lat, lon } = stopOf(vehicle);
-    const at = map.project([lat, lon]);
-    const near = found.find((spot) => spot.at.distanceTo(at) < reach);
+  stops.forEach((stop, index) => {
+    if (!stop) return;
+    const at = map.project([stop.lat, stop.lon]);
+    const own = crowd && apart(index);
+    const near = own ? null : found.find((spot) => !spot.own && spot.at.distanceTo(at) < reach);
     if (near) near.who.push(index);
-    else found.push({ at, who: [index] });
+    else found.push({ at, own, who: [index] });
   });
   return found.map((spot) => spot.who);
 }
 
+/* What a mark does when it is clicked, or Enter or the space bar pressed on it. */
+function act(made, action) {
+  made.on("click", action);
+  made.on("keypress", ({ originalEvent: event }) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    action();
+  });
+}
+
+/* From a mark that counts to where one sees apart what it counts. */
+const closer = (made) => map.setView(made.getLatLng(), map.getZoom() + 2);
+
 function drawEnds(stopOf, [one, many], square) {
-  for (const indexes of spots(stopOf)) {
+  const stops = plan.vehicles.map((vehicle, index) =>
+    (crowd && hidden.has(`vehicle-${index}`) ? null : stopOf(vehicle)));
+  for (const indexes of spots(stops, (index) => index === selection.chosen)) {
     const counted = indexes.length > (crowd ? 1 : MOST_ENDS);
     for (const who of counted ? [indexes] : indexes.map((index) => [index])) {
       const vehicles = who.map((index) => plan.vehicles[index]);
@@ -71,25 +101,47 @@ function drawEnds(stopOf, [one, many], square) {
       const letters = vehicles.map((vehicle) => vehicle.letter).join(", ");
       const names = [...new Set(vehicles.map((vehicle) => isolated(stopOf(vehicle).name)))];
       const label = `${letters} ${counted ? many : one} ${names.join(", ")}`;
-      const made = mark([stop.lat, stop.lon], endPicture(face, square), END_PX, label, "end", {
+      const made = mark([stop.lat, stop.lon], endPicture(face, square), END_PX, label, "end", who, {
         zIndexOffset: 200,
       });
+      act(made, counted ? () => closer(made) : () => selection.choose(who[0]));
       made.bindTooltip(element("bdi", "", label), { direction: "top", offset: [0, -10], opacity: 1 });
       marks.push({ made, layer: "ends", who, size: END_PX });
     }
   }
 }
 
+const NOUNS = { merge: ["Merge", "merges"], separation: ["Separation", "separations"] };
+const concerned = ({ vehicles, others }) => [...vehicles, ...others];
+const isHidden = ({ vehicles }) => vehicles.every((index) => hidden.has(`vehicle-${index}`));
+
+/* Events that share a mark: each has its own, but in a crowd those of a kind near one another. */
+function eventSpots() {
+  if (!crowd) return plan.events.map((_, index) => [index]);
+  const apart = (index) => concerned(plan.events[index]).includes(selection.chosen);
+  return Object.keys(NOUNS).flatMap((kind) =>
+    spots(plan.events.map((event) => (event.kind !== kind || isHidden(event) ? null : event)), apart));
+}
+
 function drawEvents() {
-  plan.events.forEach((event) => {
-    const head = `${event.kind === "merge" ? "Merge" : "Separation"}: ${event.name}`;
-    const made = mark([event.lat, event.lon], eventPicture(event), EVENT_PX, `${head}, ${event.text}`,
-      "event-mark", { zIndexOffset: 400 });
-    const tip = tooltip({ head, lines: [event.text, event.detail] });
-    made.bindTooltip(tip, { direction: "top", offset: [0, -12], opacity: 1 });
-    eventMarks.push(made);
-    marks.push({ made, layer: event.kind, who: event.vehicles, size: EVENT_PX });
-  });
+  for (const indexes of eventSpots()) {
+    const events = indexes.map((index) => plan.events[index]);
+    const [event] = events;
+    const [noun, nouns] = NOUNS[event.kind];
+    const one = events.length === 1;
+    const names = [...new Set(events.map(({ name }) => isolated(name)))].slice(0, 4).join(", ");
+    const head = one ? `${noun}: ${event.name}` : `${events.length} ${nouns}: ${names}`;
+    const lines = one ? [event.text, event.detail] : events.slice(0, 4).map(({ text }) => text);
+    const made = mark([event.lat, event.lon], eventPicture(event.kind, events.length), EVENT_PX,
+      one ? `${head}, ${event.text}` : head, "event-mark",
+      [...new Set(events.flatMap(concerned))], { zIndexOffset: 400 });
+    made.bindTooltip(tooltip({ head, lines }), { direction: "top", offset: [0, -12], opacity: 1 });
+    act(made, one ? () => openEvent(indexes[0]) : () => closer(made));
+    const who = events.flatMap(({ vehicles }) => vehicles);
+    const entry = { made, layer: event.kind, who, size: EVENT_PX, one };
+    for (const index of indexes) eventMarks[index] = entry;
+    marks.push(entry);
+  }
 }
 
 function drawAllEnds() {
@@ -100,7 +152,9 @@ function drawAllEnds() {
 /* Put up the marks for this zoom. A mark is there while its layer is, and any of its vehicles. */
 function show() {
   if (crowd) {
-    for (const { made } of marks.splice(eventMarks.length)) made.remove();
+    for (const { made } of marks.splice(0)) made.remove();
+    eventMarks.length = 0;
+    drawEvents();
     drawAllEnds();
   }
   for (const { made, layer, who } of marks) {
@@ -155,17 +209,31 @@ function tie(from, to, dot = true) {
   return made;
 }
 
-drawEvents();
-if (!crowd) drawAllEnds();
+if (!crowd) {
+  drawEvents();
+  drawAllEnds();
+}
 
 /* Boxes of all marks that show, in pixels of the layer. */
 const boxes = () => marks.filter(({ made, box }) => box && map.hasLayer(made)).map(({ box }) => box);
 
 /* Where the mark of an event stands, which may be beside its place, in pixels of the layer. */
 function eventAt(index) {
-  const { x, y, w, h } = marks[index].box;
+  const { x, y, w, h } = eventMarks[index].box;
   return L.point(x + w / 2, y + h / 2);
 }
 
-return { show, tie, boxes, eventAt, eventMarks };
+/* Whether an event has a mark of its own that shows, and concerns who is lifted out. */
+function tells(index) {
+  const entry = eventMarks[index];
+  const { chosen } = selection;
+  const wanted = chosen === null || concerned(plan.events[index]).includes(chosen);
+  return Boolean(wanted && entry?.one && map.hasLayer(entry.made));
+}
+
+const onEvent = (open) => {
+  openEvent = open;
+};
+
+return { show, tie, boxes, eventAt, tells, onEvent };
 }

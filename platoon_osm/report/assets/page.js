@@ -5,12 +5,11 @@
 "use strict";
 
 const scene = planScene();
-const { plan, map, frame, calm, hidden, groups, solos, platoons } = scene;
-const { drawn, isolated } = pageElements;
+const { plan, map, frame, hidden, groups, selection, solos, platoons } = scene;
 const lanes = planLanes(map);
 const routes = planRoutes(scene, lanes);
-const marks = planMarks({ plan, map, hidden, tooltip: planTips.tooltip });
-const labels = planLabels({ plan, map, lanes, solos, platoons, marks, hidden });
+const marks = planMarks({ plan, map, hidden, selection, tooltip: planTips.tooltip });
+const labels = planLabels({ plan, map, lanes, solos, platoons, routes, marks, hidden });
 
 /* Draw what depends on the zoom, and what stands beside it. */
 function redraw() {
@@ -28,14 +27,22 @@ function settle() {
 }
 
 // What covers the map is there before the plan is fitted into what it leaves.
-const journey = playJourney({ plan, map, solos, platoons, calm, drawn, isolated, hidden });
+const journey = playJourney(scene);
 const fit = planFit(scene, { marks, journey, redraw });
 addControls(scene, fit);
 fit.showPlan();
 drawGround(scene);
 routes.restack();
 wireLegend({ map, groups, hidden, settle });
-wireEvents(scene, marks);
+const events = wireEvents(scene, marks);
+wireFind(scene, events.open);
+sayChosen(scene);
+selection.on((_chosen, _hinted, changed) => {
+  if (!changed) return;
+  if (plan.traffic) marks.show();
+  labels.arrange();
+});
+rovePage(map, frame, document.getElementById("panel"));
 map.on("zoomend", () => {
   if (!fit.isWorking()) redraw();
 });
@@ -43,6 +50,7 @@ fit.watch();
 wireTouch(scene);
 const view = planView(map);
 view.part(...planView.ofMap(map, fit));
+view.part(...planView.ofVehicle(map, plan, selection));
 if (journey) view.part(...planView.ofMoment(journey));
 view.restore();
 view.watch();

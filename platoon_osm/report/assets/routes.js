@@ -1,6 +1,8 @@
 /* Lines of vehicles that drive alone, and bands of platoons with a line a vehicle. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
-function planRoutes({ plan, map, hidden, groups, group, solos, platoons, ROUTE_STEPS }, lanes) {
+function planRoutes(scene, lanes) {
+
+const { plan, map, hidden, groups, group, selection, solos, platoons, ROUTE_STEPS } = scene;
 
 const { decoded, laid } = planLines;
 const { reachable } = planTips;
@@ -10,19 +12,37 @@ const { fine, lineStep, bandWidth, bandAside, soloStep, soloAside } = lanes;
 const CROWD = 8;
 const DOTS = "0.1 8";
 
-const svg = {
-  routes: L.svg({ pane: "routes", padding: 0.5 }),
-  platoons: L.svg({ pane: "platoons", padding: 0.5 }),
-};
-const redraws = [];
+const svg = {};
+for (const pane of ["routes", "platoons", "lifted"]) svg[pane] = L.svg({ pane, padding: 0.5 });
+const ribbons = drawRibbons(scene, lanes);
+const redraws = [ribbons.redraw];
 
-function routeLine(pane, name, style, tip) {
+/* A crowd shows as ribbons, and its vehicles' own lines only where one is lifted out. */
+const { traffic } = plan;
+const ribboned = (solo) => Boolean(traffic) && !solo.access;
+
+function routeLine(pane, name, who, style, tip) {
   const made = L.polyline([], {
     pane, renderer: svg[pane], lineCap: "butt", lineJoin: "round", opacity: 1, smoothFactor: 0,
     interactive: Boolean(tip), className: tip ? "route" : "", ...style,
   });
+  made.on("add", () => selection.tag(made.getElement(), who));
   if (tip) reachable(made, tip);
+  if (tip && typeof who === "number") choosable(made, who);
   return made.addTo(group(name));
+}
+
+/* A line of one vehicle lifts it out. */
+function choosable(made, index) {
+  made.on("click", () => selection.choose(index));
+  made.on("add", () => {
+    made.getElement().setAttribute("role", "button");
+    made.getElement().addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      selection.choose(index);
+    });
+  });
 }
 
 /* A line along the parts of a way at this zoom, each as far aside as `aside` says. */
@@ -39,36 +59,43 @@ function soloWeight(solo) {
   return Math.max(1.4, Math.min(4, soloStep(slots) * 0.8 / fine()));
 }
 
+/* A vehicle alone: its casing at once, and the line over it when that is asked for. */
+function soloLine(solo, pane, name, aside, weight) {
+  const vehicle = plan.vehicles[solo.vehicle];
+  const casing = routeLine(pane, name, solo.vehicle, { color: "#fff", weight: weight + 4 });
+  return () => {
+    const drawnLine = routeLine(pane, name, solo.vehicle, {
+      color: vehicle.colour, weight,
+      // A way beside the road is dotted: its line is straight, the road is not known.
+      dashArray: solo.access ? DOTS : vehicle.dash || null,
+      lineCap: solo.access ? "round" : vehicle.cap,
+    }, solo.tip);
+    return () => {
+      const points = line(solo.parts, aside, 0.7);
+      casing.setLatLngs(points);
+      drawnLine.setLatLngs(points);
+    };
+  };
+}
+
 function drawSolos() {
   // All casings lie under all lines, or one vehicle's casing would cut another's line.
-  const casings = solos.map((solo) =>
-    routeLine("routes", `vehicle-${solo.vehicle}`, { color: "#fff", weight: soloWeight(solo) + 4 }));
+  const lines = solos.filter((solo) => !ribboned(solo)).map((solo) =>
+    soloLine(solo, "routes", `vehicle-${solo.vehicle}`, soloAside, soloWeight(solo)));
   for (const text of plan.inferred_routes) {
     L.polyline(decoded(text, ROUTE_STEPS), {
       pane: "routes", renderer: svg.routes, color: "#8a5a83", weight: 14, opacity: 1,
       dashArray: "6 4", lineCap: "butt", interactive: false,
     }).addTo(group("inferred"));
   }
-  solos.forEach((solo, i) => {
-    const vehicle = plan.vehicles[solo.vehicle];
-    const drawnLine = routeLine("routes", `vehicle-${solo.vehicle}`, {
-      color: vehicle.colour, weight: soloWeight(solo),
-      // A way beside the road is dotted: its line is straight, the road is not known.
-      dashArray: solo.access ? DOTS : vehicle.dash || null,
-      lineCap: solo.access ? "round" : vehicle.cap,
-    }, solo.tip);
-    redraws.push(() => {
-      const points = line(solo.parts, soloAside, 0.7);
-      casings[i].setLatLngs(points);
-      drawnLine.setLatLngs(points);
-    });
-  });
+  redraws.push(...lines.map((over) => over()));
 }
 
 const bandsOf = [];
 
 /* A band is there while its layer is, and any of its vehicles. */
 function showBands() {
+  if (!bandsOf.length) return;
   platoons.forEach((one, i) => {
     const wanted = one.vehicles.some((index) => !hidden.has(`vehicle-${index}`));
     for (const line of [bandsOf[i].casing, bandsOf[i].band]) {
@@ -78,38 +105,69 @@ function showBands() {
   });
 }
 
-function drawPlatoons() {
-  // The order of making is the order of drawing: all bands, then all lines over them.
-  const bands = platoons.map((one) => ({
-    casing: routeLine("platoons", "platoon", { color: "#8a6a00" }),
-    band: routeLine("platoons", "platoon", { color: "#ffd54a" }, one.tip),
-  }));
-  bandsOf.push(...bands);
-  platoons.forEach((one, i) => {
+/* The order of making is the order of drawing: all bands, then all lines over them. */
+function bandOf(one, pane, name) {
+  const made = {
+    casing: routeLine(pane, name, one.vehicles, { color: "#8a6a00" }),
+    band: routeLine(pane, name, one.vehicles, { color: "#ffd54a" }, one.tip),
+  };
+  const linesOver = (nameOf, aside) => {
     const count = one.vehicles.length;
     const lines = one.vehicles.map((index) => {
       const vehicle = plan.vehicles[index];
-      return routeLine("platoons", `vehicle-${index}`, {
+      return routeLine(pane, nameOf(index), index, {
         color: vehicle.colour, lineCap: vehicle.cap,
         dashArray: (count <= CROWD && vehicle.dash) || null,
       });
     });
-    redraws.push(() => {
+    return () => {
       // A line beside another needs gentle corners, so it follows the road less closely.
-      const beside = (aside) => line(one.parts, (part) => bandAside(part) + aside, 1.6);
+      const beside = (more) => line(one.parts, (part) => aside(part) + more, 1.6);
       const width = bandWidth(count);
       const step = lineStep(count);
-      bands[i].band.setStyle({ weight: width }).setLatLngs(beside(0));
-      bands[i].casing.setStyle({ weight: width + 2 }).setLatLngs(beside(0));
+      made.band.setStyle({ weight: width }).setLatLngs(beside(0));
+      made.casing.setStyle({ weight: width + 2 }).setLatLngs(beside(0));
       lines.forEach((own, place) => {
         own.setStyle({ weight: Math.min(4, step * 0.68) });
         own.setLatLngs(beside((place - (count - 1) / 2) * step));
       });
-    });
-  });
+    };
+  };
+  return { made, linesOver };
 }
 
-const redraw = () => redraws.forEach((each) => each());
+function drawPlatoons() {
+  if (traffic?.bundled) return;
+  const bands = platoons.map((one) => bandOf(one, "platoons", "platoon"));
+  bandsOf.push(...bands.map(({ made }) => made));
+  for (const { linesOver } of bands) redraws.push(linesOver((index) => `vehicle-${index}`, bandAside));
+}
+
+// -- the vehicle that is lifted out of a crowd ------------------------------------------------------
+
+let lifted = [];
+
+/* Over its ribbon, or beside the bands on its road. */
+const liftedAside = (part) =>
+  part.bands.length && !traffic.bundled ? soloAside({ ...part, slot: 0, slots: 1 }) : 3;
+
+function lift(chosen, hinted) {
+  const index = chosen ?? hinted;
+  group("lifted").clearLayers();
+  lifted = [];
+  if (!traffic || index === null) return;
+  const pieces = plan.vehicles[index].way;
+  const bands = pieces.filter(([kind]) => kind === "platoon" && traffic.bundled)
+    .map(([, at]) => bandOf(platoons[at], "lifted", "lifted"));
+  const alone = pieces.filter(([kind, at]) => kind === "solo" && ribboned(solos[at]))
+    .map(([, at]) => soloLine(solos[at], "lifted", "lifted", liftedAside, 4));
+  const middle = (part) => bandAside({ ...part, beside: [part.beside[part.place]], place: 0 });
+  lifted = [...bands.map(({ linesOver }) => linesOver(() => "lifted", middle)), ...alone.map((over) => over())];
+  for (const each of lifted) each();
+}
+selection.on(lift);
+
+const redraw = () => [...redraws, ...lifted].forEach((each) => each());
 
 /* Layers shown again come last in the drawing, so lines are raised above the bands, in order. */
 function restack() {
@@ -131,5 +189,5 @@ function restack() {
 
 drawSolos();
 drawPlatoons();
-return { redraw, showBands, restack };
+return { redraw, showBands, restack, ribbonLines: ribbons.lines };
 }

@@ -14,7 +14,7 @@ document.documentElement.classList.add("live");
 map.invalidateSize({ pan: false });
 
 // Panes, bottom to top.
-const panes = ["network", "junctions", "routes", "platoons", "names", "ties", "callouts"];
+const panes = ["network", "junctions", "routes", "platoons", "lifted", "names", "ties", "callouts"];
 panes.forEach((name, i) => {
   map.createPane(name).style.zIndex = 300 + 20 * i;
 });
@@ -37,5 +37,7 @@ const platoons = plan.platoons.map((one) => {
   return { ...one, parts, points: parts.flatMap((part) => part.points) };
 });
 
-return { plan, map, frame, calm, hidden, groups, group, solos, platoons, ROUTE_STEPS };
+const selection = planSelection(plan);
+
+return { plan, map, frame, calm, hidden, groups, group, selection, solos, platoons, ROUTE_STEPS };
 };

@@ -88,3 +88,15 @@ planView.ofMoment = (journey) => [
     if (/^\d{1,9}$/.test(text)) journey.moveTo(Number(text));
   },
 ];
+
+/* The vehicle that is lifted out, by its letter. */
+planView.ofVehicle = (map, plan, selection) => {
+  selection.on((_chosen, _hinted, changed) => {
+    if (changed) map.fire("viewchange");
+  });
+  const go = (letter) => {
+    const index = plan.vehicles.findIndex((vehicle) => vehicle.letter === letter);
+    if (index >= 0 && index !== selection.chosen) selection.choose(index);
+  };
+  return ["vehicle", () => plan.vehicles[selection.chosen]?.letter ?? "", go];
+};

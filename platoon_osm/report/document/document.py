@@ -30,6 +30,7 @@ from .provenance import provenance
 from .surroundings import surroundings
 from .timeline import timeline
 from .totals import groups, subtitle_of, title_of, totals
+from .traffic import traffic
 from .vehicles import vehicle
 
 __all__ = ["DOCUMENT_VERSION", "document_of", "report_document"]
@@ -153,6 +154,7 @@ def _document(
         groups=tuple(groups(found)),
         platoons=tuple(platoon_line(found, number) for number in range(len(found.platoons))),
         solos=tuple(solo_line(found, number) for number in range(len(found.solos))),
+        traffic=traffic(found),
         events=tuple(event_mark(found, number) for number in told_events(found)),
         journey=rounded(found.scale),
         schedule=timeline(plan),

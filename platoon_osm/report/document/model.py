@@ -12,7 +12,15 @@ from typing import NamedTuple
 from ..drawing.lines import Line
 from ..ground.model import Ground
 from .model_day import DaySchedule, JourneyScale, LongDrive
-from .model_map import Basemap, EventMark, JunctionLabel, PlatoonLine, SoloLine, TownLabel
+from .model_map import (
+    Basemap,
+    EventMark,
+    JunctionLabel,
+    PlatoonLine,
+    SoloLine,
+    TownLabel,
+    Traffic,
+)
 from .model_vehicle import CostTexts, Vehicle
 
 __all__ = [
@@ -202,6 +210,8 @@ class Document:
         Stretches of one company.
     solos : tuple of SoloLine
         Stretches driven alone.
+    traffic : Traffic or None
+        What a crowd is drawn as; None of few vehicles.
     events : tuple of EventMark
         Merges and separations in driving order.
     journey : JourneyScale or None
@@ -238,6 +248,7 @@ class Document:
     groups: tuple[Group, ...]
     platoons: tuple[PlatoonLine, ...]
     solos: tuple[SoloLine, ...]
+    traffic: Traffic | None
     events: tuple[EventMark, ...]
     journey: JourneyScale | None
     schedule: DaySchedule | None

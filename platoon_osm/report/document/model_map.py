@@ -18,6 +18,8 @@ __all__ = [
     "SoloLine",
     "Tip",
     "TownLabel",
+    "Traffic",
+    "TrafficRoads",
 ]
 
 
@@ -157,6 +159,47 @@ class SoloLine:
     parts: tuple[LanePart, ...]
     tip: Tip
     access: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class TrafficRoads:
+    """The roads that carry the same traffic, in the direction in which they are driven.
+
+    Attributes
+    ----------
+    alone : int
+        Vehicles alone on them.
+    bands : tuple of int
+        Vehicles of each platoon on them; of bundled traffic, of all platoons together.
+    opposite_m : int or None
+        How far away others drive the other way; None if none do, or if it makes no difference.
+    lines : Lines
+        Where they run, at the steps of the background.
+    """
+
+    alone: int
+    bands: tuple[int, ...]
+    opposite_m: int | None
+    lines: Lines
+
+
+@dataclass(frozen=True, slots=True)
+class Traffic:
+    """What a crowd is drawn as: ribbons by number of vehicles in place of a line each.
+
+    Attributes
+    ----------
+    bundled : bool
+        Whether platoons, too, are ribbons, as too many of them share a road for a band each.
+    most : int
+        Most vehicles of one kind, alone or in platoon, on one road.
+    roads : tuple of TrafficRoads
+        From little traffic to much.
+    """
+
+    bundled: bool
+    most: int
+    roads: tuple[TrafficRoads, ...]
 
 
 @dataclass(frozen=True, slots=True)

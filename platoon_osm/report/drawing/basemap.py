@@ -14,6 +14,7 @@ from .lines import Line, Lines
 
 __all__ = [
     "BASEMAP_STEPS",
+    "BASEMAP_TOLERANCE_M",
     "ROUTE_STEPS",
     "ROUTE_TOLERANCE_M",
     "basemap_lines",

@@ -20,6 +20,7 @@ __all__ = [
     "PLATOON",
     "PLATOON_CASING",
     "TICK",
+    "TRAFFIC",
     "VEHICLES",
 ]
 
@@ -51,6 +52,9 @@ CROWD = "#4d5560"
 
 FLOWS = ("#8fb8de", "#5b97cf", "#2f74b5", "#14528c", "#0a3157")
 """From few vehicles to many: one hue, so that it reads in grey too."""
+
+TRAFFIC = FLOWS[1]
+"""Ribbons of vehicles alone under the platoons of a crowd."""
 
 # All keep 4.5:1 against white, so that a white letter reads on them and they read on paper;
 # neighbours in the list differ for the three common kinds of colour blindness.

@@ -1,9 +1,14 @@
-"""How vehicles are told apart: a letter, a colour and a dash, no two vehicles alike in all."""
+"""How vehicles are told apart: a letter, a colour and a dash, no two vehicles alike in all.
+
+A short name is its vehicle's letter; the others get letters that are nobody's name.
+"""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import count
 
 from ...shown_text import shown
 from .palette import VEHICLES
@@ -22,10 +27,13 @@ DASHES = (
     ("9 4 2 4 2 4", "butt"),
 )
 
-LONGEST_LETTER = 2
+LONGEST_LETTER = 3
 
 LETTER_SIZES = (11.0, 9.0, 8.0)
 """Of one letter, two, and more, so that they fit their disc."""
+
+WIDE, WIDER_BY = "MWmw", 0.09
+"""Letters that are wider than others, and the share by which each makes the type smaller."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +61,8 @@ class VehicleStyle:
 def vehicle_styles(names: Sequence[str]) -> list[VehicleStyle]:
     """Return the style of each vehicle.
 
-    Short names serve as letters themselves; otherwise letters run A to Z, AA, AB and on.
+    A name of up to three ASCII letters and digits is its vehicle's letter. The others get A to Z,
+    AA, AB and on, without those that are a vehicle's name in whichever case.
 
     Parameters
     ----------
@@ -66,17 +75,23 @@ def vehicle_styles(names: Sequence[str]) -> list[VehicleStyle]:
         In the order of the names.
     """
     plain = [shown(name) for name in names]
-    serve = len(set(plain)) == len(plain) and all(
-        name.isascii() and name.isalnum() and len(name) <= LONGEST_LETTER for name in plain
-    )
+    taken = {name.casefold() for name in plain}
+    free = (letters for index in count() if (letters := _letters(index)).casefold() not in taken)
+    how_often = Counter(plain)
+    own = [_serves(name) and how_often[name] == 1 for name in plain]
     return [
         VehicleStyle(
-            plain[i] if serve else _letters(i),
+            name if serves else next(free),
             VEHICLES[i % len(VEHICLES)],
             *DASHES[i % len(DASHES)],
         )
-        for i in range(len(plain))
+        for i, (name, serves) in enumerate(zip(plain, own, strict=True))
     ]
+
+
+def _serves(name: str) -> bool:
+    """Return whether a name may stand in a disc, and in the middle of any sentence."""
+    return len(name) <= LONGEST_LETTER and name.isascii() and name.isalnum()
 
 
 def _letters(index: int) -> str:
@@ -101,4 +116,6 @@ def letter_size(letter: str) -> float:
     float
         In pixels.
     """
-    return LETTER_SIZES[min(max(len(letter), 1), len(LETTER_SIZES)) - 1]
+    size = LETTER_SIZES[min(max(len(letter), 1), len(LETTER_SIZES)) - 1]
+    wide = sum(sign in WIDE for sign in letter) if len(letter) > 1 else 0
+    return round(size * (1 - WIDER_BY * wide), 1)

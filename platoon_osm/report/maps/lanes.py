@@ -11,6 +11,7 @@ from .map_view import MapView
 
 __all__ = [
     "Strip",
+    "apart",
     "band_aside",
     "band_lines",
     "band_strips",
@@ -92,14 +93,29 @@ def band_aside(part: BandPart, view: MapView) -> float:
     before = bands_width(part.beside[: part.place])
     own = bands_width(part.beside[part.place :][:1])
     whole = bands_width(part.beside)
-    return before + own / 2 - whole / 2 + _apart(part, whole, view)
+    return before + own / 2 - whole / 2 + apart(part.opposite_m, whole, view)
 
 
-def _apart(part: BandPart | LanePart, width: float, view: MapView) -> float:
-    """Return how far right of its road a strip of lines goes, to let the other way pass it."""
-    if part.opposite_m is None:
+def apart(opposite_m: int | None, width: float, view: MapView) -> float:
+    """Return how far right of its road a strip of lines goes, to let the other way pass it.
+
+    Parameters
+    ----------
+    opposite_m : int or None
+        How far away others drive the other way [m]; None if none do.
+    width : float
+        Of the strip in pixels.
+    view : MapView
+        Where on the drawing things lie.
+
+    Returns
+    -------
+    float
+        In pixels.
+    """
+    if opposite_m is None:
         return 0.0
-    return float(max(0.0, width / 2 + 0.5 - part.opposite_m / view.metres_per_pixel / 2))
+    return float(max(0.0, width / 2 + 0.5 - opposite_m / view.metres_per_pixel / 2))
 
 
 def solo_step(slots: int) -> float:
@@ -136,9 +152,9 @@ def solo_aside(part: LanePart, view: MapView) -> float:
     step = solo_step(part.slots)
     if part.bands:
         width = bands_width(part.bands)
-        return float(width / 2 + 4 + step * part.slot + _apart(part, width, view))
+        return float(width / 2 + 4 + step * part.slot + apart(part.opposite_m, width, view))
     across = step * (part.slots - 1)
-    return float(step * part.slot - across / 2 + _apart(part, across + SOLO_CASING, view))
+    return float(step * part.slot - across / 2 + apart(part.opposite_m, across + SOLO_CASING, view))
 
 
 class Strip(NamedTuple):

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import NamedTuple
 
 from ..document.model import Document
 from ..drawing.crowd import CROWD, MOST_SPOKEN
+from ..drawing.lines import Point
 from ..drawing.palette import CASING
 from ..drawing.ticks import round_below
 from ..markup.fragments import NOTHING, Piece, Tree
 from .ground_paths import BEYOND, ground_piece, town_dots
-from .lanes import band_strips, solo_strips
+from .lanes import Strip, band_strips, solo_strips
 from .map_texts import NAME_SIZE, Callout, placed_callouts, placed_names
 from .map_view import MapView
 from .pixels import DrawnLine, lines_along, network_path, path_of
 from .placement import Box, Cover
+from .ribbons import ribbon_pieces, ribbons
 from .static_marks import mark_pieces, placed_marks
 
 __all__ = ["NARROW", "small_maps", "static_map", "static_texts", "town_names"]
@@ -154,24 +157,15 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
     On narrow screens they are larger, and so fewer. Callouts and a scale belong to a whole map.
     """
     places = view.places(document)
-    solo_roads = [[view.pixels(part.line) for part in one.parts] for one in document.solos]
-    band_roads = [[view.pixels(part.line) for part in one.parts] for one in document.platoons]
-    solos, bands = solo_strips(document, view), band_strips(document, view)
-    solo_lines = [
-        line
-        for roads, strip in zip(solo_roads, solos, strict=True)
-        for line in lines_along(roads, strip.asides)
-    ]
-    band_lines = [
-        lines_along(roads, strip.asides, strip.offsets)
-        for roads, strip in zip(band_roads, bands, strict=True)
-    ]
+    solos, bands = _solo_drawings(document, view), _band_drawings(document, view)
+    traffic = ribbons(document, view)
     marks, larger = placed_marks(document, view), placed_marks(document, view, large)
     length = round_below(120 * view.metres_per_pixel)
     width = length / view.metres_per_pixel
     cover = Cover(view.width, view.height)
-    cover.add_lines([line.points for line in solo_lines])
-    cover.add_lines([line.points for _, *lanes in band_lines for line in lanes], weight=4)
+    cover.add_lines([one.lines[0].points for one in solos])
+    cover.add_lines([line.points for ribbon in traffic for line in ribbon.lines])
+    cover.add_lines([line.points for one in bands for line in one.lines[1:]], weight=4)
     narrow = cover.copy()
     narrow.add_boxes(mark.box for mark in larger)
     cover.add_boxes(mark.box for mark in marks)
@@ -184,12 +178,9 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
     larger_names = list(placed_names(document, places.towns, narrow, large))
     found: dict[str, Tree] = {
         "routes": (
-            *_solo_routes(document, solo_lines, [strip.width for strip in solos]),
-            *(
-                piece
-                for number, (lines, strip) in enumerate(zip(band_lines, bands, strict=True))
-                for piece in _band(document, number, lines, strip.width, strip.inner)
-            ),
+            *ribbon_pieces(traffic),
+            *_solo_routes(document, solos),
+            *(piece for one in bands for piece in _band(document, one)),
         ),
         "wide": static_texts(
             "wide", town_names(names), tuple(mark_pieces(marks)), tuple(map(_callout, callouts))
@@ -204,44 +195,78 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
     return found
 
 
-def _solo_routes(
-    document: Document, lines: Sequence[DrawnLine], widths: Sequence[float]
-) -> Iterator[Piece]:
+class _Drawing(NamedTuple):
+    """A stretch as it is drawn: its number, its lines, their width and that of their band."""
+
+    number: int
+    lines: list[DrawnLine]
+    width: float
+    inner: float
+
+
+def _solo_drawings(document: Document, view: MapView) -> list[_Drawing]:
+    """Return the lines of vehicles alone; of a crowd, ribbons stand for all that are on a road."""
+    return [
+        _drawing(number, [view.pixels(part.line) for part in solo.parts], strip)
+        for number, (solo, strip) in enumerate(
+            zip(document.solos, solo_strips(document, view), strict=True)
+        )
+        if document.traffic is None or solo.access
+    ]
+
+
+def _band_drawings(document: Document, view: MapView) -> list[_Drawing]:
+    """Return the bands of platoons, unless ribbons stand for them."""
+    if document.traffic is not None and document.traffic.bundled:
+        return []
+    return [
+        _drawing(number, [view.pixels(part.line) for part in one.parts], strip)
+        for number, (one, strip) in enumerate(
+            zip(document.platoons, band_strips(document, view), strict=True)
+        )
+    ]
+
+
+def _drawing(number: int, roads: list[list[Point]], strip: Strip) -> _Drawing:
+    lines = lines_along(roads, strip.asides, strip.offsets)
+    return _Drawing(number, lines, strip.width, strip.inner)
+
+
+def _solo_routes(document: Document, drawings: Sequence[_Drawing]) -> Iterator[Piece]:
     """Yield the lines of vehicles alone, over the casings of all of them."""
-    for line, width in zip(lines, widths, strict=True):
+    for one in drawings:
         yield Piece(
             "static-line",
             {
-                "path": line.path,
+                "path": one.lines[0].path,
                 "colour": CASING,
-                "width": f"{width + 3.4:.3g}",
+                "width": f"{one.width + 3.4:.3g}",
                 "dash": "none",
                 "cap": "butt",
             },
         )
-    for solo, line, width in zip(document.solos, lines, widths, strict=True):
+    for one in drawings:
+        solo = document.solos[one.number]
         vehicle = document.vehicles[solo.vehicle]
         yield Piece(
             "static-line",
             {
-                "path": line.path,
+                "path": one.lines[0].path,
                 "colour": vehicle.colour,
-                "width": f"{width:.3g}",
+                "width": f"{one.width:.3g}",
                 "dash": DOTS if solo.access else vehicle.stroke,
                 "cap": "round" if solo.access else vehicle.cap,
             },
         )
 
 
-def _band(
-    document: Document, number: int, lines: Sequence[DrawnLine], width: float, inner: float
-) -> Iterator[Piece]:
+def _band(document: Document, one: _Drawing) -> Iterator[Piece]:
     """Yield the band of a platoon and the lines in it."""
-    middle, *lanes = lines
-    members = [document.vehicles[index] for index in document.platoons[number].vehicles]
+    middle, *lanes = one.lines
+    members = [document.vehicles[index] for index in document.platoons[one.number].vehicles]
     yield Piece(
         "static-band",
-        {"path": middle.path, "outer": f"{inner + 2:g}", "inner": f"{inner:g}"},
+        {"path": middle.path, "outer": f"{one.inner + 2:g}", "inner": f"{one.inner:g}"},
     )
     for vehicle, line in zip(members, lanes, strict=True):
         yield Piece(
@@ -249,7 +274,7 @@ def _band(
             {
                 "path": line.path,
                 "colour": vehicle.colour,
-                "width": f"{width:.3g}",
+                "width": f"{one.width:.3g}",
                 "dash": (len(members) <= CROWD and vehicle.dash) or "none",
                 "cap": vehicle.cap,
             },

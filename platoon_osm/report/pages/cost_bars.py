@@ -54,8 +54,8 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
     zero = BARS_LEFT + label_room + most_loss / per_pixel
     scale = _Scale(zero, per_pixel, split)
     rows = [
-        _bar_row(vehicle, gain, loss, scale, 22 + BAR_ROW * place)
-        for place, (vehicle, (gain, loss)) in enumerate(zip(vehicles, both, strict=True))
+        _bar_row(document, index, gain, loss, scale, 22 + BAR_ROW * place)
+        for place, (index, (gain, loss)) in enumerate(zip(members, both, strict=True))
     ]
     heads = [("372", "end", "net")]
     if split:
@@ -88,7 +88,10 @@ def _gain_and_loss(vehicle: Vehicle, split: bool) -> tuple[float, float]:
     return max(vehicle.saved, 0.0), max(-vehicle.saved, 0.0)
 
 
-def _bar_row(vehicle: Vehicle, gain: float, loss: float, scale: _Scale, y: float) -> Piece:
+def _bar_row(
+    document: Document, index: int, gain: float, loss: float, scale: _Scale, y: float
+) -> Piece:
+    vehicle = document.vehicles[index]
     zero, per_pixel, split = scale.zero, scale.per_pixel, scale.split
     shapes: list[Piece] = []
     if loss > 0:
@@ -123,6 +126,7 @@ def _bar_row(vehicle: Vehicle, gain: float, loss: float, scale: _Scale, y: float
         "bars-row",
         {
             "y": f"{y:g}",
+            "index": index,
             "colour": vehicle.colour,
             "letter": vehicle.letter,
             "size": vehicle.letter_size,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ..document.model import Document
 from ..document.model_vehicle import CostTexts
 from ..drawing.crowd import CROWD
-from ..markup.fragments import Piece, Tree
+from ..markup.fragments import NOTHING, Piece, Tree
 from .page_pieces import badge, costs_of
 
 __all__ = ["cost_table", "overview"]
@@ -38,18 +38,20 @@ def cost_table(
     """
     vehicles = [document.vehicles[index] for index in members]
     rows = []
-    for vehicle in vehicles:
-        facts: object = f"{vehicle.role_text}, {vehicle.length_text}"
+    for index, vehicle in zip(members, vehicles, strict=True):
+        facts = f"{vehicle.role_text}, {vehicle.length_text}"
         if vehicle.times is not None:
             clock = vehicle.times.text
             facts = f"{clock.departure}\u2060\u2013\u2060{clock.arrival}, {facts}"
-        if vehicle.name:
-            facts = Piece("vehicle-name", {"name": vehicle.name, "facts": facts})
         rows.append(
             Piece(
                 "table-row",
                 {
+                    "index": index,
                     "badge": badge(vehicle),
+                    "name": Piece("vehicle-name", {"name": vehicle.name})
+                    if vehicle.name
+                    else NOTHING,
                     "origin": vehicle.origin.name,
                     "destination": vehicle.destination.name,
                     "facts": facts,

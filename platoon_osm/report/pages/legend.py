@@ -36,15 +36,18 @@ def _row(layer: str, swatch: Tree, text: object) -> Piece:
 
 
 def _rows(document: Document) -> Iterator[Tree]:
-    vehicles = document.vehicles
+    vehicles, traffic = document.vehicles, document.traffic
     several = sum(group.is_platoon for group in document.groups) > 1
     if document.platoons:
         widest = max((section.vehicles for section in document.platoons), key=len)
-        swatch = _platoon_swatch([vehicles[i] for i in widest])
-        yield _row("platoon", swatch, "Platoons" if several else "Platoon")
-    if len(vehicles) > CROWD or several:
-        if len(vehicles) > CROWD:
-            yield Piece("legend-all", {"swatch": _lines_swatch(vehicles)})
+        swatch: Tree = _platoon_swatch([vehicles[i] for i in widest])
+        text = "Platoons" if several else "Platoon"
+        if traffic is not None and traffic.bundled:
+            swatch, text = Piece("swatch-bundle"), "In platoons, by number"
+        yield _row("platoon", swatch, text)
+    if traffic is not None:
+        yield _row("lone", Piece("swatch-lone"), "Alone, by number")
+    elif several:
         yield from (_group(document, number) for number in range(len(document.groups)))
     else:
         yield from (_vehicle(vehicles, index) for index in range(len(vehicles)))
@@ -63,6 +66,8 @@ def _rows(document: Document) -> Iterator[Tree]:
         yield _row("junctions", Piece("swatch-junctions"), "Junctions (zoom in)")
     if document.towns or document.junctions:
         yield _row("names", Piece("swatch-names"), "Place names")
+    if traffic is not None:
+        yield _crowd(document)
 
 
 def _vehicle(vehicles: Sequence[Vehicle], index: int) -> Tree:
@@ -72,6 +77,16 @@ def _vehicle(vehicles: Sequence[Vehicle], index: int) -> Tree:
     )
     rest = {"master": ", master route", "alone": ", alone"}.get(vehicle.role, "")
     return _row(f"vehicle-{index}", swatch, f"Vehicle {vehicle.letter}{rest}")
+
+
+def _crowd(document: Document) -> Piece:
+    """Return the vehicles of a crowd, by group, closed until one asks for them."""
+    groups = (_group(document, number) for number in range(len(document.groups)))
+    every = Piece("legend-all", {"swatch": _lines_swatch(document.vehicles)})
+    count = len(document.vehicles)
+    return Piece(
+        "legend-crowd", {"summary": f"{count} vehicles, by group", "rows": (every, *groups)}
+    )
 
 
 def _group(document: Document, number: int) -> Piece:

@@ -19,6 +19,8 @@ LEAFLET_LICENCE = "leaflet-licence.txt"
 SCRIPTS = (
     "elements.js",
     "lines.js",
+    "rover.js",
+    "selection.js",
     "scene.js",
     "tips.js",
     "room.js",
@@ -28,13 +30,17 @@ SCRIPTS = (
     "controls.js",
     "background.js",
     "lanes.js",
+    "ribbons.js",
     "routes.js",
     "cover.js",
     "marks.js",
     "labels.js",
     "legend.js",
     "events.js",
+    "find.js",
+    "chosen.js",
     "clock.js",
+    "positions.js",
     "journey.js",
     "page.js",
 )
@@ -82,7 +88,9 @@ class PageParts:
     def _spoken(self, map_id: str, header: str, extra: str, script: str) -> str:
         own = "".join(compact_asset(name) for name in SCRIPTS)
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
-        own_style = "".join(compact_asset(name) for name in (*PAGE_STYLES, "schedule.css"))
+        own_style = "".join(
+            compact_asset(name) for name in (*PAGE_STYLES, "schedule.css", "selection.css")
+        )
         styles = [self.leaflet.style, own_style]
         body = page_body(self.document, Piece("live-map", {"id": map_id}))
         tiles = self.tiles

@@ -153,6 +153,7 @@ def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
             "event",
             {
                 "index": index,
+                "vehicles": " ".join(map(str, (*event.vehicles, *event.others))),
                 "number": index + 1,
                 "kind": say("events.merge" if event.kind == "merge" else "events.separation"),
                 "icon": event.kind,
