@@ -19,6 +19,7 @@ from platoon_osm.plans.plan import JointPlan
 from platoon_osm.plans.trip import Trip
 from platoon_osm.plans.zones import clock_of
 from platoon_osm.report import report_document, write_csv, write_figures, write_gpx, write_html
+from platoon_osm.report.document.document import document_of
 from platoon_osm.report.drawing.ticks import hour_ticks
 from platoon_osm.report.markup.fragments import asset
 
@@ -128,3 +129,25 @@ def test_the_slider_reads_the_same_clock(
     found = page.evaluate(script, [json.loads(json.dumps(schedule)), moments])
     assert found == [clock.text(moment) for moment in moments]
     assert clock.zone in page.content()
+
+
+@pytest.mark.parametrize("first", NIGHTS, ids=IDS)
+def test_a_chart_names_the_offset_by_which_its_times_are_told(
+    plan: JointPlan, net: RoadNetwork, first: datetime
+) -> None:
+    schedule = document_of(night(plan, first), net).schedule
+    assert schedule is not None
+    change = schedule.offsets[1][0]
+    before, after = (first.tzinfo.utcoffset(later(first, k)) for k in (0, 24))  # type: ignore[union-attr]
+    assert before != after
+
+    def named(offset: timedelta | None) -> str:
+        hours = int((offset or timedelta()).total_seconds() // 3600)
+        return f"UTC{hours:+03d}:00"
+
+    name = schedule.zone_name
+    assert schedule.zone_of(change - 7200, change - 60) == f"{name} ({named(before)})"
+    assert schedule.zone_of(change + 60, change + 7200) == f"{name} ({named(after)})"
+    assert schedule.zone_of(change - 60, change + 60) == schedule.zone
+    assert named(before) in schedule.zone
+    assert named(after) in schedule.zone

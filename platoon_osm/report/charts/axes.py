@@ -35,8 +35,8 @@ SIZE = 12.0
 GAP = 8.0
 """Least blank between labels of a scale."""
 
-LETTER_TYPES = (12.0, 11.5, 8.0)
-"""Of one letter, two, and more, in a disc of radius 10."""
+MOST_LETTER, LEAST_LETTER, LETTER_ROOM = 12.0, 10.9, 19.0
+"""Type of a letter in a disc of radius 10, and how wide it may be; two wide ones are smaller."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,10 @@ def letter_type(letter: str) -> str:
     str
         In pixels.
     """
-    return f"{LETTER_TYPES[min(max(len(letter), 1), len(LETTER_TYPES)) - 1]:g}"
+    fits = LETTER_ROOM / text_width(letter, 1.0, True)
+    # Three letters come with the 703rd vehicle.
+    least = LEAST_LETTER if len(letter) < 3 else 0.0
+    return f"{min(MOST_LETTER, max(fits, least)):.1f}"
 
 
 def day_scale(
