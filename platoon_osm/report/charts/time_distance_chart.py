@@ -229,12 +229,17 @@ def _windows(layout: DiagramLayout, course: Course, late: bool, quiet: bool) -> 
     ):
         near = moment is not None and diagram.begin_s - 1 <= moment <= diagram.end_s + 1
         if moment is not None and near and (colour == LATE or not quiet):
+            y = layout.y(moment) + by[1]
+            if colour == LATE:
+                # As long as it is late.
+                values = {"x": f"{end[0]:.1f}", "y1": f"{y:.1f}", "y2": f"{end[1]:.1f}"}
+                yield Piece("time-distance-late", values)
             yield Piece(
                 "time-distance-window",
                 {
                     "x1": f"{end[0] - 7:.1f}",
                     "x2": f"{end[0] + 7:.1f}",
-                    "y": f"{layout.y(moment) + by[1]:.1f}",
+                    "y": f"{y:.1f}",
                     "colour": colour,
                     "width": "2.6" if colour == LATE else "1.6",
                 },
@@ -322,5 +327,10 @@ def _note(document: Document, layout: DiagramLayout) -> str:
         parts.append(say("schedule.hatched"))
     if any(course.held_from_s is not None for course in diagram.courses):
         parts.append(say("schedule.dotted"))
+    asked = ((one.earliest_s, one.latest_s) for one in diagram.courses)
+    if not layout.crowded and any(at is not None for pair in asked for at in pair):
+        parts.append(say("diagram.bars"))
+    if any(document.vehicles[one.vehicle].day.is_late for one in diagram.courses):
+        parts.append(say("diagram.late"))
     parts.append(say("diagram.approach"))
     return " ".join(parts)
