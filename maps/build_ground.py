@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import sys
 import tarfile
 from collections import Counter
@@ -56,6 +57,22 @@ def joined(arcs: Sequence[Floats], numbers: Sequence[int]) -> Floats:
     return np.vstack([parts[0], *(part[1:] for part in parts[1:])])
 
 
+def unwound(line: Floats) -> Floats:
+    """Return a line that runs on over the date line, to longitudes beyond 180 if need be."""
+    lon = np.unwrap(line[:, 0], period=360.0)
+    lon -= 360.0 * np.round((lon.min() + lon.max()) / 720.0)
+    return np.column_stack([lon, line[:, 1]])
+
+
+def closed(ring: Floats) -> Floats:
+    """Return a ring that ends where it begins; one that goes round a pole is led over it."""
+    ring = unwound(ring)
+    if abs(ring[0, 0] - ring[-1, 0]) < 180.0:
+        return ring
+    pole = math.copysign(90.0, float(ring[:, 1].mean()))
+    return np.vstack([ring, [ring[-1, 0], pole], [ring[0, 0], pole], ring[0]])
+
+
 def polygons(geometry: Mapping[str, Any]) -> Iterator[list[list[int]]]:
     """Yield the polygons of a geometry, each the arcs of its rings."""
     if geometry["type"] == "GeometryCollection":
@@ -96,7 +113,7 @@ def made(topology: Mapping[str, Any], about: Mapping[str, str]) -> tuple[GroundT
     land, left_out = [], 0
     for polygon in polygons(topology["objects"]["land"]):
         for place, numbers in enumerate(polygon):
-            ring = joined(arcs, numbers)
+            ring = closed(joined(arcs, numbers))
             area = area_m2(ring)
             if abs(area) < LEAST_LAND_M2:
                 left_out += 1
@@ -105,7 +122,7 @@ def made(topology: Mapping[str, Any], about: Mapping[str, str]) -> tuple[GroundT
             clockwise = ring if (area > 0) == (place == 0) else ring[::-1]
             fewer = simplified(clockwise)
             land.append(fewer if len(fewer) > 3 else clockwise)
-    borders = [simplified(arcs[n]) for n in border_arcs(topology["objects"]["countries"])]
+    borders = [simplified(unwound(arcs[n])) for n in border_arcs(topology["objects"]["countries"])]
     return GroundTable.of(land, borders, about), left_out
 
 

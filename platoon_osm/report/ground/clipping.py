@@ -139,7 +139,7 @@ def around_the_globe(
     Parameters
     ----------
     lines : sequence of ndarray of float, (k, 2)
-        Longitude from -180 to 180, and latitude; n lines.
+        Longitude and latitude; n lines.
     boxes : ndarray of float, (n, 4)
         West, south, east and north of each.
     frame : Frame

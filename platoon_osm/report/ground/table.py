@@ -47,7 +47,8 @@ class GroundTable:
     ----------
     land : tuple of ndarray of float, (k, 2)
         Rings around land, clockwise, and around water in it, the other way; longitude and latitude
-        [deg], the last point as the first; read-only.
+        [deg], the last point as the first; read-only. Land on both sides of the date line is
+        cut there, and reaches a little over it.
     borders : tuple of ndarray of float, (k, 2)
         Lines between countries, as land; read-only.
     land_boxes, border_boxes : ndarray of float, (n, 4)
@@ -147,7 +148,7 @@ def _lines(columns: Mapping[str, NDArray[Any]], name: str) -> tuple[Floats, ...]
     if len(lon) != len(lat) or len(lon) != size.sum() or (size < 2).any():
         raise ValueError
     flat = np.column_stack([lon, lat]) / STEPS
-    if len(flat) and (abs(flat) > (180, 90)).any():
+    if len(flat) and (abs(flat) > (540, 90)).any():
         raise ValueError
     flat[:, 0] += SEAM * np.sign(flat[:, 0]) * (abs(flat[:, 0]) == 180.0)
     flat.flags.writeable = False
