@@ -78,7 +78,7 @@ def test_a_folder_instead_of_a_map(capsys):
 
 
 def test_nowhere_to_save(capsys):
-    refused(capsys, ["prepare", two_roads(), "-o", "gone/a.platoon"], "gone/a.platoon")
+    refused(capsys, ["prepare", two_roads(), "-o", "two.osm/a.platoon"], "no folder")
 
 
 def test_an_output_that_fails_leaves_the_old_file(capsys, monkeypatch):

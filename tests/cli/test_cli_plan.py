@@ -74,7 +74,8 @@ def test_trips_from_csv(capsys):
 
 @pytest.mark.parametrize("option", ["--html", "--gpkg", "--json"])
 def test_nowhere_to_write(capsys, option):
-    refused(capsys, ["plan", scenario(), option, "gone/a.out"], "gone/a.out", "folder")
+    Path("file").write_text("mine")
+    refused(capsys, ["plan", scenario(), option, "file/a.out"], "file/a.out", "file is no folder")
     Path("taken").mkdir()
     refused(capsys, ["plan", scenario(), option, "taken"], "taken", "folder")
 

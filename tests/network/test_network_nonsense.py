@@ -143,7 +143,7 @@ def test_files_to_save(value):
 
 
 def test_files_that_cannot_be(tmp_path):
-    for path in (tmp_path, tmp_path / "no" / "file", "x" * 300, "a\0b", Path("a\nb") / "c", ""):
+    for path in (tmp_path, Path(__file__) / "file", "x" * 300, "a\0b", "\udcff", ""):
         refused(open_network, path)
         refused(NET.save, path)
 

@@ -273,8 +273,9 @@ def test_an_interrupted_write_leaves_nothing(saved, monkeypatch):
 
 
 def test_no_folder_to_write_in(tmp_path):
-    with pytest.raises(MapDataError, match=r"gone.*cannot be written") as caught:
-        save_network(small_italy(), tmp_path / "gone" / "a.platoon")
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(MapDataError, match=r"a\.platoon: .*file is no folder") as caught:
+        save_network(small_italy(), tmp_path / "file" / "a.platoon")
     assert "\n" not in str(caught.value)
 
 

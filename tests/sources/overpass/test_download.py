@@ -250,8 +250,9 @@ def test_bad_arguments_ask_nobody(server, tmp_path):
         fetch(server, tmp_path / "verona.shp")
     with pytest.raises(ScenarioError, match="highway tag"):
         fetch(server, tmp_path / "verona.graphml", classes=('motorway"];out;',))
-    with pytest.raises(MapDataError, match="cannot be written"):
-        fetch(server, tmp_path / "no such folder" / "verona.graphml")
+    (tmp_path / "file").write_text("mine")
+    with pytest.raises(MapDataError, match="file is no folder"):
+        fetch(server, tmp_path / "file" / "verona.graphml")
     assert server.requests == []
 
 
