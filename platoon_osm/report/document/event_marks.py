@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...plans.clock import duration
 from ...plans.records import Event
 from ...shown_text import fitted, shortened, shown
+from ..language.speech import clock_time, say
 from ..markup.quantities import kilometres
 from .findings import Findings
 from .model_map import EventMark
@@ -84,20 +85,22 @@ def event_mark(found: Findings, number: int) -> EventMark:
 
 
 def _text(found: Findings, event: Event, at_s: float | None) -> str:
-    movers, others = joined(found.letters(event.movers)), found.letters(event.others)
-    one = len(event.movers) == 1
-    if not others and not one:
+    who, others = joined(found.letters(event.movers)), found.letters(event.others)
+    n = len(event.movers)
+    if not others and n > 1:
         # Case D: both vehicles come to the point, and both leave it.
-        what = f"{movers} {'meet' if event.kind == 'merge' else 'part'}"
+        what = say("events.meet" if event.kind == "merge" else "events.part", who=who)
     elif event.kind == "merge":
-        whom = joined(others) if 0 < len(others) <= MOST_NAMED else "the platoon"
-        what = f"{movers} {'joins' if one else 'join'} {whom}"
-    elif all(_ends_with(found, who, event.stretch) for who in event.movers):
-        what = f"{movers} {'arrives' if one else 'arrive'}"
+        if 0 < len(others) <= MOST_NAMED:
+            what = say("events.joins", n=n, who=who, whom=joined(others))
+        else:
+            what = say("events.joins-platoon", n=n, who=who)
+    elif all(_ends_with(found, one, event.stretch) for one in event.movers):
+        what = say("events.arrives", n=n, who=who)
     else:
-        what = f"{movers} {'leaves' if one else 'leave'}"
+        what = say("events.leaves", n=n, who=who)
     table = found.plan.timetable
-    return what if table is None or at_s is None else f"{table.clock.text(at_s)}, {what}"
+    return what if table is None or at_s is None else f"{clock_time(table.clock, at_s)}, {what}"
 
 
 def _on_scale(found: Findings, event: Event) -> float | None:
@@ -112,9 +115,12 @@ def _on_scale(found: Findings, event: Event) -> float | None:
 def _waiting(found: Findings, event: Event, at_s: float | None) -> str:
     """Return who waits there and how long: "B waits 24 min", at most a few."""
     waits = waits_at(found.plan, event, at_s)
-    parts = [f"{found.styles[i].letter} waits {duration(wait)}" for i, wait in waits[:MOST_NAMED]]
+    parts = [
+        say("events.waits", who=found.styles[i].letter, time=duration(wait))
+        for i, wait in waits[:MOST_NAMED]
+    ]
     if len(waits) > MOST_NAMED:
-        parts.append(f"{len(waits) - MOST_NAMED} more wait")
+        parts.append(say("events.more-wait", n=len(waits) - MOST_NAMED))
     return ", ".join(parts)
 
 
@@ -127,15 +133,16 @@ def _detail(found: Findings, event: Event) -> str:
     one, at_end = len(event.movers) == 1, _ends_with(found, event.movers[0], event.stretch)
     if one and event.kind == "merge":
         km = first.merge.km if first.merge else 0.0
+        origin = fitted(first.origin.name)
         parts.append(
-            f"{kilometres(km * 1000)} from {fitted(first.origin.name)}"
+            say("events.from", km=kilometres(km * 1000), place=origin)
             if km >= 0.05
-            else "at its start"
+            else say("events.at-start")
         )
     elif one:
-        parts.append(f"after {kilometres(first.platoon_m)} in platoon")
+        parts.append(say("events.after", km=kilometres(first.platoon_m)))
         if not at_end:
-            parts.append(f"towards {fitted(first.destination.name)}")
+            parts.append(say("events.towards", place=fitted(first.destination.name)))
     if event.kind == "merge" and _arrive_together(found, event):
-        parts.append(f"arriving together at {fitted(first.destination.name)}")
+        parts.append(say("events.together", place=fitted(first.destination.name)))
     return ", ".join(part for part in parts if part)

@@ -7,12 +7,15 @@ from collections.abc import Iterator
 from ...shown_text import fitted
 from ..drawing.basemap import route_line
 from ..drawing.lines import Line
+from ..language.speech import say
 from ..markup.quantities import kilometres
 from .findings import Findings
 from .model_map import BandPart, LanePart, PlatoonLine, SharedCost, SoloLine, Tip
 from .wording import cost_texts, joined
 
 __all__ = ["inferred_routes", "platoon_line", "solo_line"]
+
+COLUMNS = ("table.vehicle", "table.alone", "tip.in-platoon", "table.saving")
 
 MOST_ROWS = 12
 """Vehicles in the table that a platoon shows when pointed at."""
@@ -53,11 +56,11 @@ def platoon_line(found: Findings, number: int) -> PlatoonLine:
             for part in found.platoon_parts[number]
         ),
         tip=Tip(
-            head=f"Platoon of {joined(found.letters(stretch.company))}",
-            lines=(f"{kilometres(stretch.length_m)}; costs in {found.unit.label}",),
-            columns=("Vehicle", "Alone", "In platoon", "Saving") if rows else (),
+            head=say("tip.platoon", who=joined(found.letters(stretch.company))),
+            lines=(say("tip.costs-in", km=kilometres(stretch.length_m), unit=found.unit.label),),
+            columns=tuple(map(say, COLUMNS)) if rows else (),
             rows=tuple(rows[:MOST_ROWS]),
-            more=f"and {len(rows) - MOST_ROWS} more" if len(rows) > MOST_ROWS else "",
+            more=say("tip.more", n=len(rows) - MOST_ROWS) if len(rows) > MOST_ROWS else "",
         ),
     )
 
@@ -82,9 +85,11 @@ def solo_line(found: Findings, number: int) -> SoloLine:
     name = fitted(found.plan.trips[index].vehicle)
     letter = found.styles[index].letter
     cost = stretch.shares[0].cost
-    inferred = (f"{kilometres(stretch.inferred_m)} inferred",) if stretch.inferred_m > 0 else ()
+    inferred: tuple[str, ...] = ()
+    if stretch.inferred_m > 0:
+        inferred = (say("tip.inferred", km=kilometres(stretch.inferred_m)),)
     met = fitted(stretch.access_at)
-    way = (f"Access by {met}: a straight line with a detour",) if stretch.access else ()
+    way = (say("tip.access", place=met),) if stretch.access else ()
     return SoloLine(
         vehicle=index,
         length_m=stretch.length_m,
@@ -100,9 +105,11 @@ def solo_line(found: Findings, number: int) -> SoloLine:
             for part in found.solo_parts[number]
         ),
         tip=Tip(
-            head=f"{letter} alone" if name == letter else f"{letter} alone ({name})",
+            head=say("tip.alone", who=letter)
+            if name == letter
+            else say("tip.alone-named", who=letter, name=name),
             lines=(
-                f"{kilometres(stretch.length_m)}, cost {found.unit.full(cost)}",
+                say("tip.cost", km=kilometres(stretch.length_m), cost=found.unit.full(cost)),
                 *inferred,
                 *way,
             ),

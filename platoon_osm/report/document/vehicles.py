@@ -6,19 +6,36 @@ from ...plans.records import Stop as PlannedStop
 from ...plans.vehicles import VehiclePlan
 from ...shown_text import fitted
 from ..language.plan_sentences import in_language
+from ..language.speech import say
 from ..markup.quantities import kilometres
 from .driver_fatigue import fatigue_along
 from .findings import Findings
 from .model_vehicle import Stop, Vehicle, VehicleTexts
 from .timeline import vehicle_day
-from .wording import cost_texts
+from .wording import cost_texts, joined
 
-__all__ = ["ROLES", "vehicle"]
+__all__ = ["role_text", "vehicle"]
 
 LAST_DIGITS = 1e-9
 """Share of a cost to which sums of the same roads agree, whatever their order."""
 
-ROLES = {"master": "master route", "member": "member", "alone": "stays alone"}
+ROLES = {"master": "vehicle.master", "member": "vehicle.member", "alone": "vehicle.alone"}
+
+
+def role_text(role: str) -> str:
+    """Return what a vehicle of a plan does, in words.
+
+    Parameters
+    ----------
+    role : str
+        Of the plan.
+
+    Returns
+    -------
+    str
+        In the language that is spoken; a role that has no text is told as it is.
+    """
+    return say(ROLES[role]) if role in ROLES else fitted(role)
 
 
 def vehicle(found: Findings, index: int) -> Vehicle:
@@ -57,7 +74,7 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         dash=style.dash,
         cap=style.cap,
         role=own.role,
-        role_text=ROLES.get(own.role, fitted(own.role)),
+        role_text=role_text(own.role),
         origin=_stop(own.origin),
         destination=_stop(own.destination),
         length_m=own.length_m,
@@ -93,10 +110,16 @@ def vehicle(found: Findings, index: int) -> Vehicle:
 
 def _access(own: VehiclePlan) -> str:
     """Return the ways between the road and places beside it: "4.2 km to A 4 exit Novara Est"."""
-    return " and ".join(
-        f"{kilometres(leg.length_m)} {'to' if place == 0 else 'from'} {fitted(leg.access_at)}"
-        for place, leg in enumerate(own.legs)
-        if leg.role == "access"
+    return joined(
+        [
+            say(
+                "vehicle.to-road" if place == 0 else "vehicle.from-road",
+                km=kilometres(leg.length_m),
+                place=fitted(leg.access_at),
+            )
+            for place, leg in enumerate(own.legs)
+            if leg.role == "access"
+        ]
     )
 
 

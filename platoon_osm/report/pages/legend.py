@@ -7,10 +7,13 @@ from collections.abc import Iterator, Sequence
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
+from ..language.speech import say
 from ..maps.lanes import band_lines
 from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["legend"]
+
+VEHICLES = {"master": "legend.master", "alone": "legend.stays-alone"}
 
 
 def legend(document: Document) -> Piece:
@@ -41,31 +44,33 @@ def _rows(document: Document) -> Iterator[Tree]:
     if document.platoons:
         widest = max((section.vehicles for section in document.platoons), key=len)
         swatch: Tree = _platoon_swatch([vehicles[i] for i in widest])
-        text = "Platoons" if several else "Platoon"
+        text = say("legend.platoons" if several else "legend.platoon")
         if traffic is not None and traffic.bundled:
-            swatch, text = Piece("swatch-bundle"), "In platoons, by number"
+            swatch, text = Piece("swatch-bundle"), say("legend.in-platoons")
         yield _row("platoon", swatch, text)
     if traffic is not None:
-        yield _row("lone", Piece("swatch-lone"), "Alone, by number")
+        yield _row("lone", Piece("swatch-lone"), say("legend.alone"))
     elif several:
         yield from (_group(document, number) for number in range(len(document.groups)))
     else:
         yield from (_vehicle(vehicles, index) for index in range(len(vehicles)))
     if any(line.access for line in document.solos):
-        yield Piece("legend-plain", {"swatch": Piece("swatch-access"), "text": "Way to the road"})
-    yield _row("ends", Piece("swatch-ends"), "Starts and destinations")
+        yield Piece(
+            "legend-plain", {"swatch": Piece("swatch-access"), "text": say("legend.access")}
+        )
+    yield _row("ends", Piece("swatch-ends"), say("legend.ends"))
     kinds = {event.kind for event in document.events}
     if "merge" in kinds:
-        yield _row("merge", Piece("swatch-merge"), "Merge points")
+        yield _row("merge", Piece("swatch-merge"), say("legend.merges"))
     if "separation" in kinds:
-        yield _row("separation", Piece("swatch-separation"), "Separation points")
-    yield _row("network", Piece("swatch-network"), "Motorway network")
+        yield _row("separation", Piece("swatch-separation"), say("legend.separations"))
+    yield _row("network", Piece("swatch-network"), say("legend.network"))
     if document.basemap.inferred:
-        yield _row("inferred", Piece("swatch-inferred"), "Inferred road")
+        yield _row("inferred", Piece("swatch-inferred"), say("legend.inferred"))
     if document.junctions:
-        yield _row("junctions", Piece("swatch-junctions"), "Junctions (zoom in)")
+        yield _row("junctions", Piece("swatch-junctions"), say("legend.junctions"))
     if document.towns or document.junctions:
-        yield _row("names", Piece("swatch-names"), "Place names")
+        yield _row("names", Piece("swatch-names"), say("legend.names"))
     if traffic is not None:
         yield _crowd(document)
 
@@ -75,18 +80,16 @@ def _vehicle(vehicles: Sequence[Vehicle], index: int) -> Tree:
     swatch = Piece(
         "swatch-line", {"colour": vehicle.colour, "dash": vehicle.stroke, "cap": vehicle.cap}
     )
-    rest = {"master": ", master route", "alone": ", alone"}.get(vehicle.role, "")
-    return _row(f"vehicle-{index}", swatch, f"Vehicle {vehicle.letter}{rest}")
+    text = say(VEHICLES.get(vehicle.role, "legend.vehicle"), who=vehicle.letter)
+    return _row(f"vehicle-{index}", swatch, text)
 
 
 def _crowd(document: Document) -> Piece:
     """Return the vehicles of a crowd, by group, closed until one asks for them."""
     groups = (_group(document, number) for number in range(len(document.groups)))
     every = Piece("legend-all", {"swatch": _lines_swatch(document.vehicles)})
-    count = len(document.vehicles)
-    return Piece(
-        "legend-crowd", {"summary": f"{count} vehicles, by group", "rows": (every, *groups)}
-    )
+    summary = say("legend.by-group", n=len(document.vehicles))
+    return Piece("legend-crowd", {"summary": summary, "rows": (every, *groups)})
 
 
 def _group(document: Document, number: int) -> Piece:
@@ -102,7 +105,7 @@ def _group(document: Document, number: int) -> Piece:
             "swatch": _platoon_swatch(members) if together else _lines_swatch(members),
             "name": group.name,
             "count": len(members),
-            "noun": "vehicle" if len(members) == 1 else "vehicles",
+            "of_group": say("legend.of-group", n=len(members), group=group.name),
             "open": Piece("group-open") if few else NOTHING,
             "rows": tuple(_vehicle(every, index) for index in group.vehicles),
         },

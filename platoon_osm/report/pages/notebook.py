@@ -9,7 +9,7 @@ from ...plans.credits import UNKNOWN_SOURCE
 from ...plans.plan import Plan
 from ...shown_text import fitted
 from ..document.checks import check_is_plan
-from ..document.vehicles import ROLES
+from ..document.vehicles import role_text
 from ..markup.fragments import Piece, written
 from ..markup.quantities import cost_unit, kilometres, percent, signed
 
@@ -74,7 +74,7 @@ def plan_table(plan: Plan) -> str:
                 "vehicle": fitted(vehicle.vehicle),
                 "origin": fitted(vehicle.origin.name),
                 "destination": fitted(vehicle.destination.name),
-                "role": ROLES.get(vehicle.role, fitted(vehicle.role)),
+                "role": role_text(vehicle.role),
                 "length": kilometres(vehicle.length_m),
                 "platoon": kilometres(vehicle.platoon_m),
                 "alone": unit.bare(vehicle.solo_cost),
