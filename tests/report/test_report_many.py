@@ -81,6 +81,7 @@ def test_a_line_is_drawn_for_who_is_lifted_out(
     assert lines.count() > 0
     # The vehicle's own ends stand out of the counts.
     assert page.locator('.mark.end.lifted[data-vehicle="1"]').count() == 2
+    page.locator("h1").hover()
     page.keyboard.press("Escape")
     assert lines.count() == 0
     opened.check(pages(name))
@@ -103,7 +104,7 @@ def test_one_selection_everywhere(pages: Callable[[str], Path], visit: Visit) ->
     assert not any(lifted or faded for _, lifted, faded, _ in marked)
     ways_in = [
         lambda: page.locator('tr[data-vehicle="1"] .who').press("Enter"),
-        lambda: page.locator('svg.schedule g[data-vehicle="1"] circle').first.click(),
+        lambda: page.locator('svg.schedule g[data-vehicle="1"] text').first.click(),
         lambda: page.locator('.mark.end[data-vehicle="1"]').first.press("Enter"),
         lambda: page.locator('path.route[aria-label][data-vehicle="1"]').first.press("Enter"),
     ]
@@ -320,7 +321,8 @@ def test_discs_are_where_vehicles_are(
 @browser
 def test_who_is_lifted_out_has_its_disc_on_top(pages: Callable[[str], Path], visit: Visit) -> None:
     page = visit(pages("fifty vehicles")).page
-    page.locator('tr[data-vehicle="4"] .who').click()
+    page.get_by_role("combobox").fill("truck 5")
+    page.keyboard.press("Enter")
     page.locator(".journey input").evaluate(
         "e => { e.value = e.max * 0.4; e.dispatchEvent(new Event('input')); }"
     )

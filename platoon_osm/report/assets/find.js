@@ -83,11 +83,12 @@ function showVehicle(index) {
 }
 
 const ring = group("found");
+const renderer = L.svg({ pane: "lifted" });
 
 function showPlace(latlng, name) {
   ring.clearLayers();
   L.circleMarker(latlng, {
-    pane: "lifted", radius: 11, color: "#17202b", weight: 3, fill: false, interactive: false, className: "found-ring",
+    pane: "lifted", renderer, radius: 11, color: "#17202b", weight: 3, fill: false, interactive: false, className: "found-ring",
   }).bindTooltip(element("bdi", "", name), { permanent: true, direction: "top", offset: [0, -10], opacity: 1 })
     .addTo(ring);
   map.setView(latlng, Math.max(map.getZoom(), NEAR_ZOOM), { animate: !calm.matches });

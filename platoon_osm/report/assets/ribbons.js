@@ -13,8 +13,10 @@ const WIDEST = 9;
 const LEAST_MOST = 9;
 const BETWEEN = 1.2;
 
+/* Asked for once a drawing: it has the page laid out. */
+let fine = 1;
 const width = (vehicles) =>
-  (THINNEST + (WIDEST - THINNEST) * Math.sqrt(vehicles / Math.max(traffic.most, LEAST_MOST))) * lanes.fine();
+  (THINNEST + (WIDEST - THINNEST) * Math.sqrt(vehicles / Math.max(traffic.most, LEAST_MOST))) * fine;
 
 /* Ribbons on some roads: of whom, and where they lie at this zoom. Of bundled traffic platoons are
  * ribbons too, next to the middle of the road. */
@@ -52,6 +54,7 @@ const casings = every.map((strip) => drawn(strip, COLOURS[strip.name][0]));
 const ribbons = every.map((strip) => drawn(strip, COLOURS[strip.name][1]));
 
 function redraw() {
+  fine = lanes.fine();
   every.forEach(({ roads, count, aside }, i) => {
     const lines = roads.map((road) =>
       laid([{ points: road.map((at) => map.project(at)), aside: aside() }], 2).map((p) => map.unproject(p)));

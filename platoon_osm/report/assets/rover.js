@@ -39,11 +39,16 @@ function rove(box, find, observed = []) {
   return refresh;
 }
 
-/* A box that scrolls is a stop of its own only if nothing in it is, and only while it scrolls. */
-function scrolling(box) {
-  const inside = box.querySelector("[role='button'], button, a, input, summary");
-  if (inside || box.scrollHeight <= box.clientHeight + 1) box.removeAttribute("tabindex");
-  else box.setAttribute("tabindex", "0");
+/* A box that scrolls is a stop of its own only if nothing in it is, and only while it scrolls. All are
+ * measured before any is changed, or each would have the page laid out anew; what is folded away is
+ * measured when it opens. */
+function scrolling(boxes) {
+  const stops = boxes.map((box) => !box.closest("details:not([open])") &&
+    box.scrollHeight > box.clientHeight + 1 && !box.querySelector("[role='button'], button, a, input, summary"));
+  boxes.forEach((box, i) => {
+    if (stops[i]) box.setAttribute("tabindex", "0");
+    else box.removeAttribute("tabindex");
+  });
 }
 
 return { rove, scrolling };
@@ -62,7 +67,7 @@ function rovePage(map, frame, panel) {
   }
   for (const list of panel.querySelectorAll(".events")) rove(list, within(list, "button"));
   rove(panel, within(panel, ".group > summary"));
-  const settle = () => panel.querySelectorAll("[role='region']").forEach(scrolling);
+  const settle = () => scrolling([...panel.querySelectorAll("[role='region']")]);
   panel.addEventListener("toggle", settle, true);
   window.addEventListener("resize", settle);
   settle();
