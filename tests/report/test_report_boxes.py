@@ -41,10 +41,10 @@ def test_nothing_is_covered_or_cut(pages: Pages, kind: str, size: tuple[int, int
 def test_the_measures_can_fail(pages: Pages) -> None:
     """Each kind of fault is found where it is made."""
     page = pages.open("three vehicles", (900, 1000))
-    page.evaluate("map_plan.panBy([-300, -200], { animate: false })")
+    page.evaluate("void map_plan.panBy([-300, -200], { animate: false })")
     assert any("outside" in fault for fault in page.evaluate(MAP_FAULTS))
-    page.evaluate("map_plan.setView([45.5, 10], 6, { animate: false })")
-    page.evaluate("map_plan.panBy([-170, 330], { animate: false })")
+    page.evaluate("void map_plan.setView([45.5, 10], 6, { animate: false })")
+    page.evaluate("void map_plan.panBy([-170, 330], { animate: false })")
     assert any("lies under" in fault for fault in page.evaluate(MAP_FAULTS))
     page.evaluate(
         """() => {

@@ -133,7 +133,7 @@ def test_bands_of_both_ways_lie_apart(page_file: Path, visit: Visit, width: int,
     page = opened.page
     # Between Verona and Vicenza there is one platoon each way.
     page.evaluate(
-        f"map_plan.setView([45.47, 11.27], map_plan.getZoom() + {zoom}, {{animate: false}})"
+        f"void map_plan.setView([45.47, 11.27], map_plan.getZoom() + {zoom}, {{animate: false}})"
     )
     x = page.evaluate("map_plan.latLngToLayerPoint([45.47, 11.27]).x")
     found = page.evaluate(BANDS, ['#map_plan path[stroke="#ffd54a"]', x])

@@ -44,15 +44,17 @@ class Callout:
     near: tuple[float, float] | None
 
 
-def placed_callouts(document: Document, places: Sequence[Point], cover: Cover) -> Iterator[Callout]:
+def placed_callouts(
+    document: Document, places: Sequence[Point | None], cover: Cover
+) -> Iterator[Callout]:
     """Yield the callouts of all events that find room, where they cover least.
 
     Parameters
     ----------
     document : Document
         Whose events they are.
-    places : sequence of tuple of float
-        Where the events or their marks stand, in pixels.
+    places : sequence of tuple of float or None
+        Where the events or their marks stand, in pixels; None for one that has no callout.
     cover : Cover
         What is taken already; callouts take their room.
 
@@ -62,7 +64,10 @@ def placed_callouts(document: Document, places: Sequence[Point], cover: Cover) -
         In the order of the events.
     """
     worst = 1_000 if len(document.events) <= MANY_EVENTS else 60
-    for event, (x, y) in zip(document.events, places, strict=True):
+    for event, place in zip(document.events, places, strict=True):
+        if place is None:
+            continue
+        x, y = place
         head = clipped(f"{event.kind.capitalize()}: {event.name}", 11.5, True)
         line = clipped(event.text, 11)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))

@@ -159,7 +159,9 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
     places = view.places(document)
     solos, bands = _solo_drawings(document, view), _band_drawings(document, view)
     traffic = ribbons(document, view)
-    marks, larger = placed_marks(document, view), placed_marks(document, view, large)
+    crowd = document.traffic is not None
+    marks = placed_marks(document, view, counted=crowd)
+    larger = placed_marks(document, view, large, counted=crowd)
     length = round_below(120 * view.metres_per_pixel)
     width = length / view.metres_per_pixel
     cover = Cover(view.width, view.height)
@@ -172,7 +174,8 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
     if whole:
         cover.add_boxes([Box(4, view.height - 32, width + 20, 30)])
     # Callouts choose their place before names do: they matter more.
-    events = [(mark.x, mark.y) for mark in marks if mark.is_event]
+    own = {mark.event: (mark.x, mark.y) for mark in marks if mark.event is not None}
+    events = [own.get(number) for number in range(len(document.events))]
     callouts = list(placed_callouts(document, events, cover)) if whole else []
     names = list(placed_names(document, places.towns, cover))
     larger_names = list(placed_names(document, places.towns, narrow, large))

@@ -16,7 +16,7 @@ from ..drawing.crowd import CROWD
 from ..drawing.lines import Point
 from ..drawing.palette import CROWD as CROWD_COLOUR
 from ..drawing.vehicle_styles import letter_size
-from ..markup.fragments import Piece
+from ..markup.fragments import NOTHING, Piece
 from .map_view import MapView
 from .placement import Box
 
@@ -27,6 +27,9 @@ MOST_ENDS = 3
 
 NEAR = 18.0
 """Ends this near are one place in a crowd, in pixels."""
+
+MOST_TOLD = 4
+"""Events that a mark which counts them names."""
 
 END_HALF, EVENT_HALF = 10.3, 12.5
 """Half of what a mark covers, its rim included, in pixels."""
@@ -61,9 +64,11 @@ class Mark:
     title : str
         What it says of itself.
     colour, letter : str
-        Of the vehicle; empty for merges and separations.
+        Of the vehicle. Of events the number that share the mark; empty for one.
     scale : float
         How much larger than common it is drawn.
+    event : int or None
+        Position of the event that has this mark for itself.
     """
 
     kind: str
@@ -75,6 +80,7 @@ class Mark:
     colour: str = ""
     letter: str = ""
     scale: float = 1.0
+    event: int | None = None
 
     @property
     def box(self) -> Box:
@@ -93,7 +99,9 @@ class Mark:
         return self.kind in ("merge", "separation")
 
 
-def placed_marks(document: Document, view: MapView, scale: float = 1.0) -> list[Mark]:
+def placed_marks(
+    document: Document, view: MapView, scale: float = 1.0, *, counted: bool = False
+) -> list[Mark]:
     """Place all marks.
 
     Merges and separations are placed first, so that they stand where they are.
@@ -106,6 +114,8 @@ def placed_marks(document: Document, view: MapView, scale: float = 1.0) -> list[
         The drawing.
     scale : float
         How much larger than common they are.
+    counted : bool
+        Whether events of a kind near one another share a mark that counts them.
 
     Returns
     -------
@@ -114,10 +124,14 @@ def placed_marks(document: Document, view: MapView, scale: float = 1.0) -> list[
     """
     places = view.places(document)
     marks: list[Mark] = []
-    for event, spot in zip(document.events, places.events, strict=True):
-        x, y = _beside(*spot, EVENT_HALF * scale, marks, view, scale)
-        title = f"{event.name}: {event.text}"
-        marks.append(Mark(event.kind, x, y, spot, EVENT_HALF * scale, title, scale=scale))
+    for spot, numbers in _event_spots(document, places.events, NEAR * scale if counted else 0.0):
+        half, events = EVENT_HALF * scale, [document.events[number] for number in numbers]
+        x, y = _beside(*spot, half, marks, view, scale)
+        title = "; ".join(f"{event.name}: {event.text}" for event in events[:MOST_TOLD])
+        kind, one = events[0].kind, len(events) == 1
+        letter, number = ("", numbers[0]) if one else (str(len(events)), None)
+        mark = Mark(kind, x, y, spot, half, title, letter=letter, scale=scale, event=number)
+        marks.append(mark)
     ends = (
         ("start", "origin", "from", places.origins),
         ("end", "destination", "to", places.destinations),
@@ -163,7 +177,9 @@ def mark_pieces(marks: list[Mark]) -> list[Piece]:
 def _piece(mark: Mark) -> Piece:
     common = {"x": f"{mark.x:.1f}", "y": f"{mark.y:.1f}", "scale": f"{mark.scale:g}"}
     if mark.is_event:
-        return Piece("static-event", {**common, "icon": mark.kind, "title": mark.title})
+        count = Piece("static-count", {"count": mark.letter}) if mark.letter else NOTHING
+        title = mark.title
+        return Piece("static-event", {**common, "icon": mark.kind, "title": title, "count": count})
     return Piece(
         f"static-{mark.kind}",
         {
@@ -187,6 +203,27 @@ def _tie(mark: Mark) -> Iterator[Piece]:
 
 def _end(vehicle: Vehicle, end: str) -> Stop:
     return vehicle.origin if end == "origin" else vehicle.destination
+
+
+def _event_spots(
+    document: Document, spots: list[Point], reach: float
+) -> list[tuple[Point, list[int]]]:
+    """Return positions of events of one kind that lie within reach of the first of them."""
+    found: list[tuple[Point, list[int]]] = []
+    for number, (event, at) in enumerate(zip(document.events, spots, strict=True)):
+        near = next(
+            (
+                numbers
+                for spot, numbers in found
+                if document.events[numbers[0]].kind == event.kind and math.dist(spot, at) < reach
+            ),
+            None,
+        )
+        if near is None:
+            found.append((at, [number]))
+        else:
+            near.append(number)
+    return found
 
 
 def _spots(
