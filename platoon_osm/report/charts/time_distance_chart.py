@@ -146,7 +146,7 @@ def _distances(layout: DiagramLayout) -> Iterator[Piece]:
 
 
 def _written(points: Sequence[Point]) -> str:
-    return " ".join(f"{x:.2f},{y:.2f}" for x, y in points)
+    return " ".join(f"{round(x, 2):g},{round(y, 2):g}" for x, y in points)
 
 
 def _bands(layout: DiagramLayout) -> Iterator[Piece]:
@@ -195,13 +195,13 @@ def _course(document: Document, layout: DiagramLayout, course: Course) -> Piece:
         "cap": vehicle.cap,
         "opacity": "0.6" if quiet else "1",
     }
-    parts = list(_lines(layout, course.vehicle, look))
+    parts = list(_lines(layout, course.vehicle))
     if not quiet:
         parts += _held(layout, course)
     parts += _windows(layout, course, vehicle.day.is_late, quiet)
     return Piece(
         "time-distance-vehicle",
-        {"index": course.vehicle, "title": sentence(vehicle), "parts": tuple(parts)},
+        {**look, "index": course.vehicle, "title": sentence(vehicle), "parts": tuple(parts)},
     )
 
 
@@ -261,7 +261,7 @@ def _held_crowd(layout: DiagramLayout) -> Iterator[Piece]:
         yield from _held(layout, course)
 
 
-def _lines(layout: DiagramLayout, vehicle: int, look: dict[str, str]) -> Iterator[Piece]:
+def _lines(layout: DiagramLayout, vehicle: int) -> Iterator[Piece]:
     """Yield the line of a vehicle piece by piece, and what ties each piece to the next."""
     pieces = layout.lines[vehicle]
     waits = [slot for slot in layout.waits if vehicle in slot.stand.vehicles]
@@ -271,10 +271,10 @@ def _lines(layout: DiagramLayout, vehicle: int, look: dict[str, str]) -> Iterato
             x, top, bottom = _wait(layout, slot)
             if abs(bottom - after.points[0][1]) < 1:
                 way[1:1] = [(x, top), (x, bottom)]
-        yield Piece("time-distance-tie", {**look, "points": _written(way)})
+        yield Piece("time-distance-tie", {"points": _written(way)})
     for one in pieces:
-        move = f"{one.by[0]:.2f} {one.by[1]:.2f}"
-        yield Piece("time-distance-line", {**look, "points": _written(one.points), "move": move})
+        move = " ".join(f"{round(by, 2):g}" for by in one.by)
+        yield Piece("time-distance-line", {"points": _written(one.points), "move": move})
 
 
 def _events(document: Document, diagram: Diagram, layout: DiagramLayout) -> Iterator[Piece]:

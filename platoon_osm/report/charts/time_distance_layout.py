@@ -385,8 +385,9 @@ def _badges(layout: DiagramLayout) -> Iterator[Badge]:
             continue
         pieces = layout.lines[course.vehicle]
         x, y = pieces[0].first
-        if course.held_from_s is not None:
-            y -= layout.y(course.leaves_s) - layout.y(course.held_from_s)
+        # Where it could have left, or has left and waits at once.
+        since = course.leaves_s if course.held_from_s is None else course.held_from_s
+        y -= layout.y(course.legs[0].begin_s) - layout.y(since)
         ends.append((course.vehicle, x, y, True))
         ends.append((course.vehicle, *pieces[-1].last, False))
     taken = [
