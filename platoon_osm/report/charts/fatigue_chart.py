@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -9,7 +10,6 @@ from ..document.model import Document
 from ..document.model_day import FatigueCurve
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
-from ..drawing.ticks import round_below
 from ..language.speech import number, say
 from ..markup.fragments import NOTHING, Piece, Tree
 from .along_chart import ticks_of
@@ -17,7 +17,7 @@ from .axes import SIZE, WIDTH, Tick, day_scale, letter_type, number_scale, plain
 
 __all__ = ["fatigue_chart"]
 
-ROW, HEIGHT = 60.0, 44.0
+ROW, HEIGHT = 46.0, 34.0
 """Of a row, and of the highest value in it."""
 
 TOP = 24.0
@@ -26,6 +26,9 @@ BADGE = 24.0
 """Room for the disc at the left."""
 
 COLUMN_GAP = 8.0
+
+MARKS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)
+"""Of which round numbers the greatest that fits is marked: high enough above 0 for its label."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +112,8 @@ def fatigue_chart(document: Document) -> Tree:
 
 def _frame(hours: float, most: float) -> _Frame:
     """Return a frame whose columns hold their heads, and whose scale holds its labels."""
-    value = round_below(most)
+    power = 10.0 ** math.floor(math.log10(most))
+    value = max(mark * power for mark in MARKS if mark * power <= most)
     left = BADGE + text_width(plain(value), SIZE) + 6
     joint = max(text_width(say("fatigue.joint"), SIZE, True), text_width("999", SIZE, True))
     alone = max(text_width(say("fatigue.alone"), SIZE), text_width("999", SIZE))

@@ -18,10 +18,10 @@ from .sentences import sentence, spoken_list
 __all__ = ["BEYOND", "late_note", "schedule_chart", "schedule_notes"]
 
 LEFT, RIGHT = 38.0, 358.0
-ROW, CROWDED_ROW = 40, 26
+ROW, CROWDED_ROW = 38, 26
 TOP, CROWDED_TOP = 8, 22
 
-LABEL_Y = 33.0
+LABEL_Y = 32.0
 """Base line of the times under a row."""
 
 BEYOND = 0.25
