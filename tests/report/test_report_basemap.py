@@ -13,7 +13,6 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.report.drawing.basemap import basemap_lines, network_lines, route_line
 from platoon_osm.report.drawing.lines import Line, Lines
 from platoon_osm.report.drawing.polyline import decode_lines, decode_polyline, encode_polyline
-from platoon_osm.report.maps.pixels import shifted
 from platoon_osm.report.maps.placement import SOLID, Box, Cover
 from platoon_osm.report.markup.leaflet import load_leaflet
 from platoon_osm.shown_text import shown
@@ -88,14 +87,6 @@ def test_no_lines_of_nothing(net: RoadNetwork) -> None:
     assert route_line(net, ()).encoded() == ""
     assert network_lines(net, inferred=False).encoded()
     assert basemap_lines(net, np.zeros(0, np.int64), 20.0) == []
-
-
-def test_a_line_moves_to_its_right() -> None:
-    # y grows downwards: right of a line to the east is south, so a larger y.
-    assert shifted([(0, 0), (10, 0), (10, 0), (20, 0)], 3) == [(0, 3), (10, 3), (20, 3)]
-    corner = shifted([(0, 0), (10, 0), (10, 10)], 2)
-    assert corner[1] == pytest.approx((8, 2))
-    assert shifted([(5, 5), (5, 5)], 2) == [(5, 5), (5, 5)]
 
 
 def test_a_box_goes_where_it_covers_least() -> None:

@@ -21,7 +21,6 @@ from platoon_osm.report.document.opposite import opposite_gaps
 from platoon_osm.report.drawing.lines import Line
 from platoon_osm.report.maps.lanes import bands_width, solo_aside
 from platoon_osm.report.maps.map_view import MapView
-from platoon_osm.report.maps.pixels import laid
 
 Visit = Callable[..., Any]
 
@@ -93,14 +92,6 @@ def test_the_gap_of_the_map_counts(both_ways: JointPlan, net: RoadNetwork) -> No
     assert solo_aside(replace(part, opposite_m=None), view) == 0
     # A pixel is some 600 m here, so 300 m are half a pixel, a quarter on either side.
     assert 3.6 < solo_aside(replace(part, opposite_m=300), view) < 4.0
-
-
-def test_short_roads_follow_their_neighbour() -> None:
-    long = [(0.0, 0.0), (100.0, 0.0)]
-    bit = [(100.0, 0.0), (104.0, 0.0)]
-    line = laid([(long, 10.0), (bit, -10.0), ([(104.0, 0.0), (200.0, 0.0)], 10.0)])
-    assert {y for _, y in line} == {10.0}
-    assert laid([(bit, -10.0), (long, 10.0)])[0][1] == 10.0
 
 
 # Half the widths of two bands, and the distance of their middles, halfway along the motorway.

@@ -3,7 +3,6 @@
 function planLabels({ plan, map, lanes, solos, platoons, routes, marks, hidden }) {
 
 const { element } = pageElements;
-const { laid } = planLines;
 const { Cover, SOLID, TEXT } = planCover;
 const frame = map.getContainer();
 const STEPS = 1e4;
@@ -28,26 +27,19 @@ function arrange() {
   settled = { zoom: map.getZoom(), view, size: map.getSize() };
   const cover = new Cover();
   const origin = map.getPixelOrigin();
+  const inLayer = (line) => line.map(({ x, y }) => ({ x: x - origin.x, y: y - origin.y }));
   for (const solo of solos) {
     if (plan.traffic && !solo.access) continue;
     if (hidden.has(`vehicle-${solo.vehicle}`)) continue;
-    const roads = solo.parts.map((part) => ({
-      points: part.points.map((at) => map.project(at)), aside: lanes.soloAside(part),
-    }));
-    cover.addLine(laid(roads, 0.7).map((p) => p.subtract(origin)), 2);
+    for (const line of lanes.along(solo.parts, lanes.soloAside)) cover.addLine(inLayer(line), 2);
   }
   for (const points of routes.ribbonLines()) cover.addLine(points, 3);
   for (const one of platoons) {
     if (plan.traffic?.bundled) break;
     if (one.vehicles.every((index) => hidden.has(`vehicle-${index}`))) continue;
     const half = lanes.bandWidth(one.vehicles.length) / 2;
-    const roads = one.parts.map((part) => ({
-      points: part.points.map((at) => map.project(at)), aside: lanes.bandAside(part),
-    }));
-    for (const share of [-1, -0.5, 0, 0.5, 1]) {
-      const line = laid(roads.map((road) => ({ ...road, aside: road.aside + share * half })), 1.6);
-      cover.addLine(line.map((p) => p.subtract(origin)), 4);
-    }
+    const across = [-1, -0.5, 0, 0.5, 1].map((share) => share * half);
+    for (const line of lanes.along(one.parts, lanes.bandAside, across)) cover.addLine(inLayer(line), 4);
   }
   for (const box of marks.boxes()) cover.addBox(box, SOLID);
   const base = frame.getBoundingClientRect();

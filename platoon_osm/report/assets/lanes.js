@@ -1,7 +1,8 @@
-/* How wide bands and lines are, and how far right of its road each is drawn. */
+/* How wide bands and lines are, how far right of its road each is drawn, and where that is. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function planLanes(map) {
 
+const { laidBeside } = planBeside;
 const frame = map.getContainer();
 
 /* On a small screen the band would hide the country, so all lines of a platoon are finer. */
@@ -51,5 +52,57 @@ function besideBands(bands, opposite, at) {
   return width / 2 + apart({ opposite_m: opposite, points: [at] }, width);
 }
 
-return { fine, lineStep, bandWidth, bandAside, soloStep, soloAside, besideBands };
+/* Lines are laid for one zoom and some screens around the view; who draws them is told when the
+ * reader has moved on. */
+let region = null;
+const drawers = [];
+
+function settle() {
+  const view = map.getPixelBounds();
+  const size = view.getSize();
+  region = L.bounds(view.min.subtract(size.multiplyBy(1.5)), view.max.add(size.multiplyBy(1.5)));
+  region.zoom = map.getZoom();
+}
+
+map.on("moveend", () => {
+  if (!region || region.zoom !== map.getZoom() || region.contains(map.getPixelBounds())) return;
+  settle();
+  for (const draw of drawers) draw();
+});
+
+const outside = ({ x, y }) =>
+  (x < region.min.x ? 1 : x > region.max.x ? 2 : 0) | (y < region.min.y ? 4 : y > region.max.y ? 8 : 0);
+
+/* A line without the points that make no difference to what is inside the region. */
+function cropped(points) {
+  const codes = points.map(outside);
+  const kept = [];
+  let common = 0;
+  points.forEach((p, i) => {
+    if (common & codes[i]) {
+      common &= codes[i];
+      if (i < points.length - 1) return;
+    } else if (i && kept[kept.length - 1] !== points[i - 1]) {
+      kept.push(points[i - 1]);
+    }
+    kept.push(p);
+    common = codes[i];
+  });
+  return kept;
+}
+
+/* Lines along the parts of a way at this zoom, in pixels of the world: for each offset one beside
+ * a middle that lies as far aside of each part as `aside` says. */
+function along(parts, aside, offsets = [0]) {
+  if (!region || region.zoom !== map.getZoom()) settle();
+  const roads = parts.map((part) => ({
+    points: cropped(part.points.map((at) => map.project(at))), aside: aside(part),
+  }));
+  return laidBeside(roads, offsets);
+}
+
+/* Draw again with `draw` what `along` has laid, once the reader has moved out of it. */
+const redrawWith = (draw) => drawers.push(draw);
+
+return { fine, lineStep, bandWidth, bandAside, soloStep, soloAside, besideBands, along, redrawWith };
 }

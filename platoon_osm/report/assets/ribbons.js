@@ -6,7 +6,7 @@ function drawRibbons({ plan, map, group }, lanes) {
 const { traffic } = plan;
 if (!traffic) return { redraw() {}, lines: () => [] };
 
-const { decodedLines, laid } = planLines;
+const { decodedLines } = planLines;
 const STEPS = 1e4;
 const THINNEST = 1.8;
 const WIDEST = 9;
@@ -56,8 +56,8 @@ const ribbons = every.map((strip) => drawn(strip, COLOURS[strip.name][1]));
 function redraw() {
   fine = lanes.fine();
   every.forEach(({ roads, count, aside }, i) => {
-    const lines = roads.map((road) =>
-      laid([{ points: road.map((at) => map.project(at)), aside: aside() }], 2).map((p) => map.unproject(p)));
+    const lines = roads.map((points) =>
+      lanes.along([{ points }], aside)[0].map((p) => map.unproject(p)));
     casings[i].setStyle({ weight: width(count) + 2 }).setLatLngs(lines);
     ribbons[i].setStyle({ weight: width(count) }).setLatLngs(lines);
   });

@@ -4,9 +4,9 @@ function planRoutes(scene, lanes) {
 
 const { plan, map, hidden, groups, group, selection, solos, platoons, ROUTE_STEPS } = scene;
 
-const { decoded, laid } = planLines;
+const { decoded } = planLines;
 const { reachable } = planTips;
-const { fine, lineStep, bandWidth, bandAside, soloStep, soloAside } = lanes;
+const { fine, lineStep, bandWidth, bandAside, soloStep, soloAside, along } = lanes;
 
 /* Lines of more vehicles than this are too thin for dashes: their band is a plain ribbon. */
 const CROWD = 8;
@@ -45,13 +45,9 @@ function choosable(made, index) {
   });
 }
 
-/* A line along the parts of a way at this zoom, each as far aside as `aside` says. */
-function line(parts, aside, tolerance) {
-  const roads = parts.map((part) => ({
-    points: part.points.map((at) => map.project(at)), aside: aside(part),
-  }));
-  return laid(roads, tolerance).map((p) => map.unproject(p));
-}
+/* Lines along the parts of a way at this zoom, each as far aside as `aside` and its offset say. */
+const lines = (parts, aside, offsets) =>
+  along(parts, aside, offsets).map((line) => line.map((p) => map.unproject(p)));
 
 /* One weight along the whole stretch: that of its most crowded part. */
 function soloWeight(solo) {
@@ -71,7 +67,7 @@ function soloLine(solo, pane, name, aside, weight) {
       lineCap: solo.access ? "round" : vehicle.cap,
     }, solo.tip);
     return () => {
-      const points = line(solo.parts, aside, 0.7);
+      const [points] = lines(solo.parts, aside, [0]);
       casing.setLatLngs(points);
       drawnLine.setLatLngs(points);
     };
@@ -80,7 +76,7 @@ function soloLine(solo, pane, name, aside, weight) {
 
 function drawSolos() {
   // All casings lie under all lines, or one vehicle's casing would cut another's line.
-  const lines = solos.filter((solo) => !ribboned(solo)).map((solo) =>
+  const alone = solos.filter((solo) => !ribboned(solo)).map((solo) =>
     soloLine(solo, "routes", `vehicle-${solo.vehicle}`, soloAside, soloWeight(solo)));
   for (const text of plan.inferred_routes) {
     L.polyline(decoded(text, ROUTE_STEPS), {
@@ -88,7 +84,7 @@ function drawSolos() {
       dashArray: "6 4", lineCap: "butt", interactive: false,
     }).addTo(group("inferred"));
   }
-  redraws.push(...lines.map((over) => over()));
+  redraws.push(...alone.map((over) => over()));
 }
 
 const bandsOf = [];
@@ -113,7 +109,7 @@ function bandOf(one, pane, name) {
   };
   const linesOver = (nameOf, aside) => {
     const count = one.vehicles.length;
-    const lines = one.vehicles.map((index) => {
+    const members = one.vehicles.map((index) => {
       const vehicle = plan.vehicles[index];
       return routeLine(pane, nameOf(index), index, {
         color: vehicle.colour, lineCap: vehicle.cap,
@@ -121,15 +117,15 @@ function bandOf(one, pane, name) {
       });
     });
     return () => {
-      // A line beside another needs gentle corners, so it follows the road less closely.
-      const beside = (more) => line(one.parts, (part) => aside(part) + more, 1.6);
       const width = bandWidth(count);
       const step = lineStep(count);
-      made.band.setStyle({ weight: width }).setLatLngs(beside(0));
-      made.casing.setStyle({ weight: width + 2 }).setLatLngs(beside(0));
-      lines.forEach((own, place) => {
+      const offsets = members.map((_, place) => (place - (count - 1) / 2) * step);
+      const [middle, ...beside] = lines(one.parts, aside, [0, ...offsets]);
+      made.band.setStyle({ weight: width }).setLatLngs(middle);
+      made.casing.setStyle({ weight: width + 2 }).setLatLngs(middle);
+      members.forEach((own, place) => {
         own.setStyle({ weight: Math.min(4, step * 0.68) });
-        own.setLatLngs(beside((place - (count - 1) / 2) * step));
+        own.setLatLngs(beside[place]);
       });
     };
   };
@@ -189,5 +185,6 @@ function restack() {
 
 drawSolos();
 drawPlatoons();
+lanes.redrawWith(redraw);
 return { redraw, showBands, restack, ribbonLines: ribbons.lines };
 }

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 from ..document.model import Document
 from ..drawing.lines import Point
+from ..maps.beside import laid_beside
 from ..maps.lanes import band_aside, band_lines, solo_aside
 from ..maps.map_texts import Callout, clipped, placed_callouts, placed_names, text_width
 from ..maps.map_view import MapView
-from ..maps.pixels import laid, simplified
 from ..maps.placement import SOLID, Box, Cover
 from ..maps.static_marks import Mark, placed_marks
 
@@ -88,7 +88,9 @@ def layout_of(document: Document) -> Layout:
     view = MapView([document], heights=(320.0, 980.0), margin=44.0)
     cover = Cover(view.width, view.height)
     solos = [
-        laid([(simplified(view.pixels(part.line)), solo_aside(part, view)) for part in solo.parts])
+        laid_beside(
+            [(view.pixels(part.line), solo_aside(part, view)) for part in solo.parts], (0.0,)
+        )[0]
         for solo in document.solos
     ]
     cover.add_lines(solos)
@@ -96,11 +98,9 @@ def layout_of(document: Document) -> Layout:
     for section in document.platoons:
         count = len(section.vehicles)
         step, _ = band_lines(count)
-        roads = [
-            (simplified(view.pixels(part.line)), band_aside(part, view)) for part in section.parts
-        ]
+        roads = [(view.pixels(part.line), band_aside(part, view)) for part in section.parts]
         asides = (0.0, *((place - (count - 1) / 2) * step for place in range(count)))
-        middle, *lanes = (laid([(road, band + aside) for road, band in roads]) for aside in asides)
+        middle, *lanes = laid_beside(roads, asides)
         cover.add_lines(lanes, weight=4)
         bands.append(Band(middle, lanes))
     marks = placed_marks(document, view)

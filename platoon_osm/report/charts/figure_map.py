@@ -9,9 +9,9 @@ from ..document.model import Document
 from ..drawing.lines import Point
 from ..drawing.palette import FRAME, INK, MUTED, NETWORK, PAPER, PLATOON, PLATOON_CASING
 from ..drawing.vehicle_styles import letter_size
+from ..maps.beside import simplified
 from ..maps.lanes import band_lines, band_width
 from ..maps.map_texts import NAME_SIZE
-from ..maps.pixels import simplified
 from .figure_layout import CREDIT_SIZE, Layout, layout_of
 from .paper import WIDTH_IN, axes_of, dash_of
 

@@ -14,8 +14,8 @@ from ..drawing.lines import Lines
 from ..ground.clipping import Frame, cut_lines, cut_ring
 from ..ground.model import GroundPatch
 from ..markup.fragments import Piece, Tree
+from .beside import TOLERANCE
 from .map_view import MapView
-from .pixels import TOLERANCE
 
 __all__ = ["BEYOND", "ground_piece", "town_dots"]
 

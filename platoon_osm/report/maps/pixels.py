@@ -1,35 +1,25 @@
-"""Lines in pixels: simplified, moved aside, written as paths."""
+"""Lines in pixels, written as paths."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from ..drawing.lines import Point
+from .beside import laid_beside, simplified
 
 __all__ = [
     "DrawnLine",
-    "laid",
     "lines_along",
     "network_path",
     "path_data",
     "path_of",
-    "shifted",
-    "simplified",
 ]
-
-TOLERANCE = 0.6
-"""How far a line may move to be simpler, in pixels."""
 
 MOST_NETWORK_DATA = 80_000
 """Characters of path data that the still map spends on the background."""
-
-SHORT = 12.0
-"""Pixels of road that are too short for a place of their own."""
 
 
 def path_data(points: Sequence[Point]) -> str:
@@ -52,96 +42,6 @@ def path_data(points: Sequence[Point]) -> str:
         out.append(f"{(x - x0) / 10:g} {(y - y0) / 10:g} ")
         x0, y0 = x, y
     return "".join(out).rstrip()
-
-
-def simplified(points: list[Point], tolerance: float = TOLERANCE) -> list[Point]:
-    """Return a line without points that make no difference.
-
-    Parameters
-    ----------
-    points : list of tuple of float
-        Pixels.
-    tolerance : float
-        How far the line may move, in pixels.
-
-    Returns
-    -------
-    list of tuple of float
-        Its ends, and what is needed between them.
-    """
-    import shapely
-
-    if len(points) < 3 or not tolerance:
-        return points
-    simple = shapely.simplify(shapely.linestrings(points), tolerance)
-    return [(float(x), float(y)) for x, y in shapely.get_coordinates(simple)]
-
-
-def shifted(points: Sequence[Point], aside: float) -> list[Point]:
-    """Return a line moved to its right, corners mitred within limits.
-
-    Parameters
-    ----------
-    points : sequence of tuple of float
-        Pixels.
-    aside : float
-        How far, in pixels.
-
-    Returns
-    -------
-    list of tuple of float
-        The line moved.
-    """
-    if not aside or len(points) < 2:
-        return list(points)
-    flat = np.asarray(points)
-    step = np.diff(flat, axis=0)
-    step = step[np.hypot(*step.T) > 0]
-    if not len(step):
-        return list(points)
-    keep = np.concatenate([[True], np.hypot(*np.diff(flat, axis=0).T) > 0])
-    flat = flat[keep]
-    normal = np.column_stack([-step[:, 1], step[:, 0]]) / np.hypot(*step.T)[:, None]
-    before, after = np.vstack([normal[:1], normal]), np.vstack([normal, normal[-1:]])
-    mitre = before + after
-    # |mitre| = 2 cos(half the turn); beyond 120 degrees a mitre would run away.
-    length = np.maximum((mitre**2).sum(axis=1), 1.0)
-    moved = flat + aside * 2 * mitre / length[:, None]
-    return [(float(x), float(y)) for x, y in moved]
-
-
-def laid(roads: Sequence[tuple[Sequence[Point], float]]) -> list[Point]:
-    """Return one line along roads, each moved to its right by its own measure.
-
-    Roads too short to be seen follow their neighbour, or the line would start aside and back
-    within a few pixels.
-
-    Parameters
-    ----------
-    roads : sequence of tuple
-        For each road its points in pixels, and how far aside the line lies.
-
-    Returns
-    -------
-    list of tuple of float
-        The line in pixels.
-    """
-    runs: list[tuple[list[Point], float, float]] = []
-    for points, aside in roads:
-        length = sum(math.dist(a, b) for a, b in pairwise(points))
-        if runs:
-            before, old, known = runs[-1]
-            if aside == old or length < SHORT or known < SHORT:
-                wider = aside if length > known else old
-                runs[-1] = [*before, *points], wider, known + length
-                continue
-        runs.append((list(points), aside, length))
-    # Loops of a ramp, tighter than the line is aside, would become stars.
-    return [
-        point
-        for points, aside, _ in runs
-        for point in shifted(simplified(points, abs(aside) / 5), aside)
-    ]
 
 
 class DrawnLine(NamedTuple):
@@ -178,11 +78,7 @@ def lines_along(
     list of DrawnLine
         One for each offset.
     """
-    simple = [simplified(road) for road in roads]
-    lines = (
-        laid([(road, aside + offset) for road, aside in zip(simple, asides, strict=True)])
-        for offset in offsets
-    )
+    lines = laid_beside(list(zip(roads, asides, strict=True)), offsets)
     return [DrawnLine(points, path_data(points)) for points in lines]
 
 

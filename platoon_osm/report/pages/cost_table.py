@@ -88,11 +88,10 @@ def overview(document: Document) -> Tree:
         Piece(
             "overview-row",
             {
-                "number": number,
                 "name": group.name,
                 "facts": group.facts,
                 **costs_of(group.text, group.saved),
             },
         )
-        for number, group in enumerate(document.groups)
+        for group in document.groups
     )

@@ -14,10 +14,11 @@ from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
 from ..drawing.palette import FLOWS, GAIN, LOSS
 from ..language.speech import speaking
+from ..maps.beside import shifted, simplified
 from ..maps.ground_paths import BEYOND, ground_piece, town_dots
 from ..maps.map_texts import placed_names
 from ..maps.map_view import MapView
-from ..maps.pixels import network_path, path_data, shifted, simplified
+from ..maps.pixels import network_path, path_data
 from ..maps.placement import Box, Cover
 from ..maps.static_map import NARROW, static_texts, town_names
 from ..markup.fragments import NOTHING, Piece, Tree

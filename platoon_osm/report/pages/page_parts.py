@@ -19,6 +19,7 @@ LEAFLET_LICENCE = "leaflet-licence.txt"
 SCRIPTS = (
     "elements.js",
     "lines.js",
+    "beside.js",
     "rover.js",
     "selection.js",
     "scene.js",
@@ -39,7 +40,6 @@ SCRIPTS = (
     "events.js",
     "find.js",
     "chosen.js",
-    "tables.js",
     "clock.js",
     "positions.js",
     "journey.js",

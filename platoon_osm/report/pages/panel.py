@@ -87,7 +87,6 @@ def _vehicles(document: Document) -> Piece:
             "unit": unit,
             "unit_note": note,
             "overview": overview(document),
-            "density": " compact" if len(groups) > CROWD else "",
             "groups": tuple(_group(document, number, group) for number, group in enumerate(groups)),
             **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
         },
