@@ -97,7 +97,7 @@ def test_no_mark_covers_another_on_pages(documents: list[Document], scale: float
             assert 0 <= mark.box.left <= mark.box.right <= view.width
             assert 0 <= mark.box.top <= mark.box.bottom <= view.height
         # Every vehicle has both its ends, by itself or counted.
-        for kind, word in (("start", " from "), ("end", " to ")):
+        for kind, word in (("start", " start"), ("end", " arrive")):
             told = [m.title.split(word)[0].split(", ") for m in marks if m.kind == kind]
             assert set().union(*told) == {vehicle.letter for vehicle in document.vehicles}
 

@@ -54,13 +54,15 @@ class Cover {
     }
   }
 
-  /* The candidate that covers least, taken; null if each would cover `most` or more. */
-  place(candidates, most) {
+  /* The candidate that covers least, taken; null if each would cover `most` or more. `more` is what
+   * a place costs besides. */
+  place(candidates, most, more = () => 0) {
     let best = null;
     let least = most;
     for (const box of candidates) {
       if (box.own >= least) continue;
-      const cost = this.cost(box) + box.own + (box.room ? this.crowding(box) : 0);
+      let cost = this.cost(box) + box.own;
+      if (cost < least) cost += more(box);
       if (cost < least) [best, least] = [box, cost];
     }
     if (best) this.addBox(best, TEXT);
@@ -68,5 +70,19 @@ class Cover {
   }
 }
 
-return { Cover, SOLID, TEXT };
+/* Do the ways from a to b and from c to d cross? */
+function segmentsCross(a, b, c, d) {
+  const side = (p, q, r) => (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+function crossesBox([a, b], { x, y, w, h }) {
+  const inside = (p) => p.x >= x && p.x <= x + w && p.y >= y && p.y <= y + h;
+  if (inside(a) || inside(b)) return true;
+  const [p, q] = [{ x, y }, { x: x + w, y: y + h }];
+  const [r, s] = [{ x: x + w, y }, { x, y: y + h }];
+  return segmentsCross(a, b, p, q) || segmentsCross(a, b, r, s);
+}
+
+return { Cover, SOLID, TEXT, crossesBox, segmentsCross };
 })();

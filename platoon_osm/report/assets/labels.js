@@ -2,8 +2,8 @@
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function planLabels({ plan, map, lanes, solos, platoons, routes, marks, hidden }) {
 
-const { element } = pageElements;
-const { Cover, SOLID, TEXT } = planCover;
+const { element, say } = pageElements;
+const { Cover, SOLID, TEXT, crossesBox, segmentsCross } = planCover;
 const frame = map.getContainer();
 const STEPS = 1e4;
 
@@ -66,12 +66,44 @@ function* around(at, w, h) {
   }
 }
 
-/* Would a text whose point is in view run out of it? */
-function leavesView(at, box) {
+/* The view in pixels of the layer. */
+function viewBox() {
   const low = map.containerPointToLayerPoint([0, 0]);
-  const high = low.add(map.getSize());
-  const seen = at.x > low.x && at.y > low.y && at.x < high.x && at.y < high.y;
-  return seen && (box.x < low.x || box.y < low.y || box.x + box.w > high.x || box.y + box.h > high.y);
+  const { x: w, y: h } = map.getSize();
+  return { x: low.x, y: low.y, w, h };
+}
+
+/* Does the edge of the view cut a box? One that lies outside altogether may come in later. */
+function isCut(box, view) {
+  const apart = box.x + box.w <= view.x || box.x >= view.x + view.w ||
+    box.y + box.h <= view.y || box.y >= view.y + view.h;
+  return !apart && (box.x < view.x || box.y < view.y ||
+    box.x + box.w > view.x + view.w || box.y + box.h > view.y + view.h);
+}
+
+const NEAR_PX = 22;
+
+/* The leader from a point to its box; null where the box is near enough to do without. */
+function leaderOf(at, { x, y, w, h }) {
+  const near = L.point(Math.min(Math.max(at.x, x + 6), x + w - 6), Math.min(Math.max(at.y, y), y + h));
+  return near.distanceTo(at) > NEAR_PX ? [at, near] : null;
+}
+
+const CROSSED_BOX = 400;
+const CROSSED_LEADER = 150;
+
+/* What a place costs for the leaders that it crosses, or that cross it. */
+function tangled(box, at, others) {
+  const leader = leaderOf(at, box);
+  let cost = 0;
+  for (const { at: far, place } of others) {
+    if (!place) continue;
+    const other = leaderOf(far, place);
+    if (leader && crossesBox(leader, place)) cost += CROSSED_BOX;
+    if (other && crossesBox(other, box)) cost += CROSSED_BOX;
+    if (leader && other && segmentsCross(...leader, ...other)) cost += CROSSED_LEADER;
+  }
+  return cost;
 }
 
 function arrangeCallouts(cover) {
@@ -79,37 +111,40 @@ function arrangeCallouts(cover) {
   pane.replaceChildren();
   // A small screen has no room for them: there the list below the map says the same.
   if (frame.clientWidth < 600) return;
+  const view = viewBox();
   const callouts = [];
   plan.events.forEach((event, index) => {
     if (!marks.tells(index)) return;
-    const at = marks.eventAt(index);
     const box = element("div", "callout");
-    const head = element("b", "", event.kind === "merge" ? "Merge: " : "Separation: ");
+    const head = element("b", "", `${say(event.kind === "merge" ? "mark-merge" : "mark-separation")}: `);
     head.append(element("bdi", "", event.name));
     box.append(head, element("span", "", event.text));
     pane.append(box);
-    const [w, h] = [box.offsetWidth, box.offsetHeight];
-    const choices = [...around(at, w, h)].filter((one) => !leavesView(at, one));
-    callouts.push({ box, at, w, h, choices, place: cover.place(choices, WORST) });
+    callouts.push({ box, at: marks.eventAt(index), place: null });
   });
+  for (const one of callouts) {
+    const [w, h] = [one.box.offsetWidth, one.box.offsetHeight];
+    one.choices = [...around(one.at, w, h)].filter((place) => !isCut(place, view));
+  }
   // The first to choose may stand in the way of the others: let each choose again, twice.
-  for (let round = 0; round < 2; round++) {
+  for (let round = 0; round < 3; round++) {
     for (const one of callouts) {
       if (one.place) cover.addBox(one.place, -TEXT);
-      one.place = cover.place(one.choices, WORST);
+      const others = callouts.filter((other) => other !== one);
+      one.place = cover.place(one.choices, WORST, (place) => tangled(place, one.at, others));
     }
   }
-  for (const { box, at, w, h, place } of callouts) {
+  for (const { box, at, place } of callouts) {
     if (!place) {
       box.remove();
       continue;
     }
     L.DomUtil.setPosition(box, L.point(place.x, place.y).round());
-    const near = L.point(
-      Math.min(Math.max(at.x, place.x + 6), place.x + w - 6),
-      Math.min(Math.max(at.y, place.y), place.y + h),
-    );
-    if (near.distanceTo(at) > 22) pane.prepend(marks.tie(at, near, false));
+    const leader = leaderOf(at, place);
+    if (!leader) continue;
+    pane.prepend(marks.tie(...leader, false));
+    // No name lies on a leader.
+    cover.addLine(leader, SOLID);
   }
 }
 
@@ -129,37 +164,46 @@ function* namesHere() {
 
 const LONGEST_NAME_PX = 150;
 
-function arrangeNames(cover, view) {
+/* Places for a name, best first: beside its dot or mark, then further from it. */
+function nameChoices(at, w, h) {
+  const found = [];
+  for (const away of [5, 13, 19]) {
+    found.push(
+      { x: at.x - w / 2, y: at.y - h - away, w, h }, { x: at.x - w / 2, y: at.y + away, w, h },
+      { x: at.x + away + 2, y: at.y - h / 2, w, h }, { x: at.x - w - away - 2, y: at.y - h / 2, w, h },
+      { x: at.x + 4, y: at.y - h - away, w, h }, { x: at.x - w - 4, y: at.y + away, w, h },
+      { x: at.x - w - 4, y: at.y - h - away, w, h }, { x: at.x + 4, y: at.y + away, w, h },
+    );
+  }
+  return found;
+}
+
+let named = [];
+
+/* Names keep off all that is drawn of the plan: one that finds no free place is left out. */
+function arrangeNames(cover, bounds) {
   const pane = map.getPane("names");
   pane.replaceChildren();
+  named = [];
   if (hidden.has("names")) return;
   const made = document.createDocumentFragment();
-  // Names may touch a line where the map is small, or hardly any would find a place.
-  const most = frame.clientWidth < 600 ? 14 : 6;
+  const view = viewBox();
   for (const { lon, lat, name, room, kind } of namesHere()) {
     const latlng = L.latLng(lat / STEPS, lon / STEPS);
-    if (!view.contains(latlng)) continue;
+    if (!bounds.contains(latlng)) continue;
     const at = map.latLngToLayerPoint(latlng);
     const font = kind === "junction" ? "11px" : "12.5px";
     const w = Math.min(Math.ceil(textWidth(name, font)) + 2, LONGEST_NAME_PX) + 6;
-    const h = 17;
-    const choices = [
-      { x: at.x - w / 2, y: at.y - h - 5, w, h, own: 0 },
-      { x: at.x - w / 2, y: at.y + 5, w, h, own: 0.3 },
-      { x: at.x + 6, y: at.y - h / 2, w, h, own: 0.4 },
-      { x: at.x - w - 6, y: at.y - h / 2, w, h, own: 0.5 },
-      { x: at.x + 4, y: at.y - h - 4, w, h, own: 0.6 },
-      { x: at.x - w - 4, y: at.y + 4, w, h, own: 0.7 },
-      { x: at.x - w / 2, y: at.y - h - 14, w, h, own: 1.4 },
-      { x: at.x - w / 2, y: at.y + 14, w, h, own: 1.5 },
-    ].filter((one) => !leavesView(at, one)).map((one) => ({ ...one, room }));
-    const place = cover.place(choices, most);
+    const place = nameChoices(at, w, 17).map((one) => ({ ...one, room })).find((one) =>
+      !isCut(one, view) && cover.cost(one) === 0 && cover.crowding(one) === 0);
     if (!place) continue;
+    cover.addBox(place, TEXT);
     const label = element("div", `name ${kind}`);
     label.append(element("bdi", "", name));
     label.style.width = `${w}px`;
     L.DomUtil.setPosition(label, L.point(place.x, place.y).round());
     made.append(label);
+    named.push({ label, place });
   }
   pane.append(made);
 }
@@ -167,6 +211,8 @@ function arrangeNames(cover, view) {
 map.on("moveend", () => {
   const still = settled && settled.zoom === map.getZoom() && settled.view.contains(map.getBounds());
   if (!still) arrange();
+  const view = viewBox();
+  for (const { label, place } of named) label.style.visibility = isCut(place, view) ? "hidden" : "";
 });
 
 return { arrange };

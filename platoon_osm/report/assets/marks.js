@@ -2,7 +2,7 @@
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function planMarks({ plan, map, hidden, selection, tooltip }) {
 
-const { element, drawn, isolated, letterSize } = pageElements;
+const { element, drawn, isolated, letterSize, say } = pageElements;
 const frame = map.getContainer();
 
 /* Many vehicles: starts near one another become one mark that counts them, until one zooms in. */
@@ -13,6 +13,8 @@ const MOST_ENDS = 3;
 const END_PX = 24;
 const EVENT_PX = 28;
 const FAR_PX = 15;
+/* Of many who are late at one mark, so many are told. */
+const MOST_TOLD = 6;
 
 const marks = [];
 
@@ -31,7 +33,15 @@ function mark(latlng, picture, size, label, name, who, options) {
   return made;
 }
 
-function endPicture(face, square) {
+/* A badge at a corner of a mark: someone arrives too late. */
+const lateBadge = () => {
+  const text = drawn("text", { y: 3.4, "text-anchor": "middle", "font-size": 9.5, "font-weight": 800, fill: "#fff" });
+  text.textContent = "!";
+  return drawn("g", { class: "late-badge", transform: "translate(9.5 -9)" },
+    drawn("circle", { r: 5.6, fill: "#a3260a", stroke: "#fff", "stroke-width": 1.2 }), text);
+};
+
+function endPicture(face, square, late) {
   const shape = square
     ? drawn("rect", { x: -9.5, y: -9.5, width: 19, height: 19, rx: 3, fill: face.colour })
     : drawn("circle", { r: 10, fill: face.colour });
@@ -42,7 +52,8 @@ function endPicture(face, square) {
   text.textContent = face.letter;
   shape.setAttribute("stroke", "#fff");
   shape.setAttribute("stroke-width", 2);
-  return drawn("svg", { viewBox: "-12 -12 24 24", width: 24, height: 24 }, shape, text);
+  const badges = late ? [lateBadge()] : [];
+  return drawn("svg", { viewBox: "-12 -12 24 24", width: 24, height: 24 }, shape, text, ...badges);
 }
 
 function eventPicture(kind, count) {
@@ -89,7 +100,13 @@ function act(made, action) {
 /* From a mark that counts to where one sees apart what it counts. */
 const closer = (made) => map.setView(made.getLatLng(), map.getZoom() + 2);
 
-function drawEnds(stopOf, [one, many], square) {
+/* How late those are who arrive too late, each named if they are several. */
+const lateTexts = (vehicles) => vehicles.filter(({ times }) => times?.text.late).map(({ letter, times }) => {
+  const late = say("mark-late", { time: times.text.late });
+  return vehicles.length > 1 ? `${isolated(letter)}: ${late}` : late;
+});
+
+function drawEnds(stopOf, key, square) {
   const stops = plan.vehicles.map((vehicle, index) =>
     (crowd && hidden.has(`vehicle-${index}`) ? null : stopOf(vehicle)));
   for (const indexes of spots(stops, (index) => index === selection.chosen)) {
@@ -100,8 +117,11 @@ function drawEnds(stopOf, [one, many], square) {
       const face = counted ? { colour: "#4d5560", letter: `${who.length}\u00d7` } : vehicles[0];
       const letters = vehicles.map((vehicle) => vehicle.letter).join(", ");
       const names = [...new Set(vehicles.map((vehicle) => isolated(stopOf(vehicle).name)))];
-      const label = `${letters} ${counted ? many : one} ${names.join(", ")}`;
-      const made = mark([stop.lat, stop.lon], endPicture(face, square), END_PX, label, "end", who, {
+      const late = square ? lateTexts(vehicles) : [];
+      const what = say(key, { n: who.length, who: letters, place: names.join(", ") });
+      const label = [what, ...late.slice(0, MOST_TOLD)].join(", ");
+      const picture = endPicture(face, square, late.length > 0);
+      const made = mark([stop.lat, stop.lon], picture, END_PX, label, "end", who, {
         zIndexOffset: 200,
       });
       act(made, counted ? () => closer(made) : () => selection.choose(who[0]));
@@ -111,7 +131,7 @@ function drawEnds(stopOf, [one, many], square) {
   }
 }
 
-const NOUNS = { merge: ["Merge", "merges"], separation: ["Separation", "separations"] };
+const NOUNS = { merge: ["mark-merge", "mark-merges"], separation: ["mark-separation", "mark-separations"] };
 const concerned = ({ vehicles, others }) => [...vehicles, ...others];
 const isHidden = ({ vehicles }) => vehicles.every((index) => hidden.has(`vehicle-${index}`));
 
@@ -127,10 +147,10 @@ function drawEvents() {
   for (const indexes of eventSpots()) {
     const events = indexes.map((index) => plan.events[index]);
     const [event] = events;
-    const [noun, nouns] = NOUNS[event.kind];
     const one = events.length === 1;
     const names = [...new Set(events.map(({ name }) => isolated(name)))].slice(0, 4).join(", ");
-    const head = one ? `${noun}: ${event.name}` : `${events.length} ${nouns}: ${names}`;
+    const noun = say(NOUNS[event.kind][one ? 0 : 1], { n: events.length });
+    const head = `${noun}: ${one ? event.name : names}`;
     const lines = one ? [event.text, event.detail] : events.slice(0, 4).map(({ text }) => text);
     const made = mark([event.lat, event.lon], eventPicture(event.kind, events.length), EVENT_PX,
       one ? `${head}, ${event.text}` : head, "event-mark",
@@ -145,8 +165,8 @@ function drawEvents() {
 }
 
 function drawAllEnds() {
-  drawEnds((vehicle) => vehicle.origin, ["starts at", "start at"], false);
-  drawEnds((vehicle) => vehicle.destination, ["arrives at", "arrive at"], true);
+  drawEnds((vehicle) => vehicle.origin, "mark-start", false);
+  drawEnds((vehicle) => vehicle.destination, "mark-end", true);
 }
 
 /* Put up the marks for this zoom. A mark is there while its layer is, and any of its vehicles. */

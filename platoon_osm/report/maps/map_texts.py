@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from ..document.model import Document
 from ..drawing.crowd import MANY_EVENTS
 from ..drawing.lines import Point
-from .placement import Box, Cover
+from ..language.speech import say
+from .placement import SOLID, Box, Cover, crosses
 
 __all__ = ["NAME_SIZE", "Callout", "clipped", "placed_callouts", "placed_names", "text_width"]
 
@@ -17,7 +19,7 @@ NAME_SIZE = 11.5
 """Of a town's name, in pixels."""
 
 CALLOUT_HEIGHT = 34.0
-WIDEST_CALLOUT = 270.0
+WIDEST_CALLOUT = 360.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,20 +65,70 @@ def placed_callouts(
     Callout
         In the order of the events.
     """
-    worst = 1_000 if len(document.events) <= MANY_EVENTS else 60
+    worst = 1_000.0 if len(document.events) <= MANY_EVENTS else 60.0
+    found: list[_Choosing] = []
     for event, place in zip(document.events, places, strict=True):
         if place is None:
             continue
         x, y = place
-        head = clipped(f"{event.kind.capitalize()}: {event.name}", 11.5, True)
+        head = clipped(f"{say(f'script.mark-{event.kind}')}: {event.name}", 11.5, True)
         line = clipped(event.text, 11)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))
-        box = cover.place(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)), worst)
-        if box is None:
-            continue
-        near = min(max(x, box.left), box.right), min(max(y, box.top), box.bottom)
-        far = math.hypot(near[0] - x, near[1] - y) > 20
-        yield Callout(x, y, box, head, line, near if far else None)
+        choices = list(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)))
+        found.append(_Choosing((x, y), head, line, choices))
+    # The first to choose may stand in the way of the others: let each choose again, twice.
+    for _ in range(3):
+        for one in found:
+            if one.box is not None:
+                cover.free_box(one.box)
+            others = [other for other in found if other is not one]
+            one.box = cover.place(one.choices, worst, partial(one.tangled, others=others))
+    for one in found:
+        if one.box is not None:
+            near = _leader(one.at, one.box)
+            if near is not None:
+                cover.add_line([one.at, near], SOLID)
+            yield Callout(*one.at, one.box, one.head, one.line, near)
+
+
+NEAR = 20.0
+"""A box further than this from its event is tied to it by a leader, in pixels."""
+
+CROSSED_BOX, CROSSED_LEADER = 400.0, 150.0
+"""What a place costs whose leader crosses another box, or another leader."""
+
+
+@dataclass(slots=True)
+class _Choosing:
+    """A callout that looks for a place."""
+
+    at: Point
+    head: str
+    line: str
+    choices: list[tuple[Box, float]]
+    box: Box | None = None
+
+    def tangled(self, box: Box, others: Sequence[_Choosing]) -> float:
+        """Return what a box costs for the leaders that it crosses, or that cross it."""
+        near = _leader(self.at, box)
+        cost = 0.0
+        for other in others:
+            if other.box is None:
+                continue
+            far = _leader(other.at, other.box)
+            if near is not None and other.box.is_crossed(self.at, near):
+                cost += CROSSED_BOX
+            if far is not None and box.is_crossed(other.at, far):
+                cost += CROSSED_BOX
+            if near is not None and far is not None and crosses(self.at, near, other.at, far):
+                cost += CROSSED_LEADER
+        return cost
+
+
+def _leader(at: Point, box: Box) -> Point | None:
+    """Return where a leader from an event to its box ends; None if the box is near."""
+    near = min(max(at[0], box.left), box.right), min(max(at[1], box.top), box.bottom)
+    return near if math.dist(near, at) > NEAR else None
 
 
 def clipped(text: str, size: float, bold: bool = False, widest: float = WIDEST_CALLOUT) -> str:
@@ -153,20 +205,20 @@ def placed_names(
         ):
             continue
         wide, left = width + 2 * side, x - width / 2 - side
+        # Beside its dot or mark, then further from it, where nothing of the plan is.
         spots = (
-            (Box(left, y - high - 2, wide, high), 0.0),
-            (Box(left, y + 3, wide, high), 0.5),
-            (Box(x + 2, y - high / 2, wide, high), 1.0),
-            (Box(x - wide - 2, y - high / 2, wide, high), 1.0),
-            (Box(left, y - high - 12 * scale, wide, high), 1.5),
-            (Box(left, y + 12 * scale, wide, high), 1.5),
-            # Clear of a mark in the middle of the town.
-            (Box(left, y - high - 18 * scale, wide, high), 2.0),
-            (Box(left, y + 18 * scale, wide, high), 2.0),
-        )
-        # Large names may touch a line, or hardly any would find a place.
-        box = cover.place(spots, 8.0 if scale == 1 else 16.0 * scale)
+            Box(at_x, at_y, wide, high)
+            for away in (3.0, 11 * scale, 18 * scale)
+            for at_x, at_y in (
+                (left, y - high - away), (left, y + away),
+                (x + away, y - high / 2), (x - wide - away, y - high / 2),
+                (x + 2, y - high - away), (x - wide - 2, y + away),
+                (x - wide - 2, y - high - away), (x + 2, y + away),
+            )
+        )  # fmt: skip
+        box = next((spot for spot in spots if not cover.cost(spot)), None)
         if box is not None:
+            cover.add_box(box)
             placed.append((x, y, width))
             yield text, box
 

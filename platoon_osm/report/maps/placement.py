@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-__all__ = ["Box", "Cover"]
+from ..drawing.lines import Point
+
+__all__ = ["SOLID", "Box", "Cover", "crosses"]
 
 CELL = 5.0
 SOLID = 1_000
@@ -43,6 +45,47 @@ class Box:
     def bottom(self) -> float:
         """The lower edge."""
         return self.top + self.height
+
+    def is_crossed(self, start: Point, end: Point) -> bool:
+        """Return whether a straight line runs through it.
+
+        Parameters
+        ----------
+        start, end : tuple of float
+            Pixels.
+
+        Returns
+        -------
+        bool
+            Whether it does, or begins or ends there.
+        """
+        if any(
+            self.left <= x <= self.right and self.top <= y <= self.bottom for x, y in (start, end)
+        ):
+            return True
+        falling = (self.left, self.top), (self.right, self.bottom)
+        rising = (self.left, self.bottom), (self.right, self.top)
+        return crosses(start, end, *falling) or crosses(start, end, *rising)
+
+
+def crosses(a: Point, b: Point, c: Point, d: Point) -> bool:
+    """Return whether the way from a to b crosses that from c to d.
+
+    Parameters
+    ----------
+    a, b, c, d : tuple of float
+        Pixels.
+
+    Returns
+    -------
+    bool
+        Whether they have a point inside both in common.
+    """
+
+    def side(p: Point, q: Point, r: Point) -> float:
+        return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
 
 
 class Cover:
@@ -123,6 +166,17 @@ class Cover:
         for cell in self._cells(box):
             self._weight[cell] += SOLID
 
+    def free_box(self, box: Box) -> None:
+        """Give back a box that was taken.
+
+        Parameters
+        ----------
+        box : Box
+            Of `add_box`.
+        """
+        for cell in self._cells(box):
+            self._weight[cell] -= SOLID
+
     def cost(self, box: Box) -> float:
         """Return how much a box would cover.
 
@@ -140,7 +194,12 @@ class Cover:
             return math.inf
         return float(sum(self._weight.get(cell, 0) for cell in self._cells(box)))
 
-    def place(self, candidates: Iterable[tuple[Box, float]], most: float) -> Box | None:
+    def place(
+        self,
+        candidates: Iterable[tuple[Box, float]],
+        most: float,
+        more: Callable[[Box], float] = lambda _: 0.0,
+    ) -> Box | None:
         """Take the candidate of least cost.
 
         Parameters
@@ -149,6 +208,8 @@ class Cover:
             Where something may go, and what that place costs by itself.
         most : float
             What it must cost less than.
+        more : callable
+            What a place costs besides.
 
         Returns
         -------
@@ -159,6 +220,8 @@ class Cover:
         least = most
         for box, own in candidates:
             cost = self.cost(box) + own
+            if cost < least:
+                cost += more(box)
             if cost < least:
                 best, least = box, cost
         if best is not None:

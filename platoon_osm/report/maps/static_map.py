@@ -10,6 +10,7 @@ from ..drawing.crowd import CROWD, MOST_SPOKEN
 from ..drawing.lines import Point
 from ..drawing.palette import CASING
 from ..drawing.ticks import round_below
+from ..language.speech import say
 from ..markup.fragments import NOTHING, Piece, Tree
 from .ground_paths import BEYOND, ground_piece, town_dots
 from .lanes import Strip, band_strips, solo_strips
@@ -51,10 +52,18 @@ def static_map(document: Document) -> Piece:
             "width": f"{view.width:g}",
             "height": f"{view.height:g}",
             "title": document.title,
-            "description": f"Map of {document.subtitle}: "
-            + "; ".join(
-                f"{v.letter} {v.origin.name} to {v.destination.name}"
-                for v in document.vehicles[:MOST_SPOKEN]
+            "description": say(
+                "still-map.description",
+                subtitle=document.subtitle,
+                ways="; ".join(
+                    say(
+                        "still-map.way",
+                        who=v.letter,
+                        origin=v.origin.name,
+                        destination=v.destination.name,
+                    )
+                    for v in document.vehicles[:MOST_SPOKEN]
+                ),
             ),
             "ground": ground_piece(document, view, BEYOND),
             "towns": town_dots(document, view),
@@ -92,7 +101,9 @@ def small_maps(documents: Sequence[Document]) -> list[Piece]:
                 {
                     "width": f"{view.width:g}",
                     "height": f"{view.height:g}",
-                    "title": f"Map: {document.title}, {document.subtitle}",
+                    "title": say(
+                        "still-map.small", title=document.title, subtitle=document.subtitle
+                    ),
                     "ground": Piece("small-ground-again", {})
                     if maps
                     else Piece("small-ground", {"ground": ground_piece(documents[0], view)}),
@@ -165,9 +176,9 @@ def _foreground(document: Document, view: MapView, large: float, *, whole: bool)
     length = round_below(120 * view.metres_per_pixel)
     width = length / view.metres_per_pixel
     cover = Cover(view.width, view.height)
-    cover.add_lines([one.lines[0].points for one in solos])
-    cover.add_lines([line.points for ribbon in traffic for line in ribbon.lines])
-    cover.add_lines([line.points for one in bands for line in one.lines[1:]], weight=4)
+    cover.add_lines([one.lines[0].points for one in solos], weight=3)
+    cover.add_lines([line.points for ribbon in traffic for line in ribbon.lines], weight=3)
+    cover.add_lines([line.points for one in bands for line in one.lines[1:]], weight=6)
     narrow = cover.copy()
     narrow.add_boxes(mark.box for mark in larger)
     cover.add_boxes(mark.box for mark in marks)

@@ -16,7 +16,8 @@ from ..drawing.crowd import CROWD
 from ..drawing.lines import Point
 from ..drawing.palette import CROWD as CROWD_COLOUR
 from ..drawing.vehicle_styles import letter_size
-from ..markup.fragments import NOTHING, Piece
+from ..language.speech import say
+from ..markup.fragments import NOTHING, Piece, Tree
 from .map_view import MapView
 from .placement import Box
 
@@ -69,6 +70,8 @@ class Mark:
         How much larger than common it is drawn.
     event : int or None
         Position of the event that has this mark for itself.
+    is_late : bool
+        Whether someone arrives too late here, which a badge tells.
     """
 
     kind: str
@@ -81,6 +84,7 @@ class Mark:
     letter: str = ""
     scale: float = 1.0
     event: int | None = None
+    is_late: bool = False
 
     @property
     def box(self) -> Box:
@@ -127,28 +131,37 @@ def placed_marks(
     for spot, numbers in _event_spots(document, places.events, NEAR * scale if counted else 0.0):
         half, events = EVENT_HALF * scale, [document.events[number] for number in numbers]
         x, y = _beside(*spot, half, marks, view, scale)
-        title = "; ".join(f"{event.name}: {event.text}" for event in events[:MOST_TOLD])
         kind, one = events[0].kind, len(events) == 1
+        title = "; ".join(f"{event.name}, {event.text}" for event in events[:MOST_TOLD])
+        title = f"{_noun(kind, len(events))}: {title}"
         letter, number = ("", numbers[0]) if one else (str(len(events)), None)
         mark = Mark(kind, x, y, spot, half, title, letter=letter, scale=scale, event=number)
         marks.append(mark)
     ends = (
-        ("start", "origin", "from", places.origins),
-        ("end", "destination", "to", places.destinations),
+        ("start", "origin", places.origins),
+        ("end", "destination", places.destinations),
     )
-    for kind, end, word, spots in ends:
+    for kind, end, spots in ends:
         for spot, vehicles in _spots(document, spots, scale):
             names = ", ".join(dict.fromkeys(_end(vehicle, end).name for vehicle in vehicles))
             letters = ", ".join(vehicle.letter for vehicle in vehicles)
             most = 1 if len(document.vehicles) > CROWD else MOST_ENDS
             faces = [(vehicle.colour, vehicle.letter) for vehicle in vehicles]
+            faced = [[vehicle] for vehicle in vehicles]
             if len(vehicles) > most:
                 faces = [(CROWD_COLOUR, f"{len(vehicles)}\u00d7")]
+                faced = [vehicles]
+            title = say(f"script.mark-{kind}", n=len(vehicles), who=letters, place=names)
+            title = ", ".join([title, *_late_texts(kind, vehicles)])
             for place, (colour, letter) in enumerate(faces):
                 beside = spot[0] + BESIDE * scale * (place - (len(faces) - 1) / 2)
                 x, y = _beside(beside, spot[1], END_HALF * scale, marks, view, scale)
-                title = f"{letters} {word} {names}"
-                marks.append(Mark(kind, x, y, spot, END_HALF * scale, title, colour, letter, scale))
+                marks.append(
+                    Mark(
+                        kind, x, y, spot, END_HALF * scale, title, colour, letter, scale,
+                        is_late=kind == "end" and any(map(_is_late, faced[place])),
+                    )
+                )  # fmt: skip
     return marks
 
 
@@ -180,6 +193,9 @@ def _piece(mark: Mark) -> Piece:
         count = Piece("static-count", {"count": mark.letter}) if mark.letter else NOTHING
         title = mark.title
         return Piece("static-event", {**common, "icon": mark.kind, "title": title, "count": count})
+    late: dict[str, Tree] = {}
+    if mark.kind == "end":
+        late["late"] = Piece("static-late", {}) if mark.is_late else NOTHING
     return Piece(
         f"static-{mark.kind}",
         {
@@ -188,6 +204,7 @@ def _piece(mark: Mark) -> Piece:
             "letter": mark.letter,
             "size": letter_size(mark.letter),
             "title": mark.title,
+            **late,
         },
     )
 
@@ -199,6 +216,23 @@ def _tie(mark: Mark) -> Iterator[Piece]:
             "static-leader",
             {"x1": f"{x:.1f}", "y1": f"{y:.1f}", "x2": f"{mark.x:.1f}", "y2": f"{mark.y:.1f}"},
         )
+
+
+def _noun(kind: str, count: int) -> str:
+    """Return what events of a kind are called, with their number if there are several."""
+    return say(f"script.mark-{kind}") if count == 1 else say(f"script.mark-{kind}s", n=count)
+
+
+def _is_late(vehicle: Vehicle) -> bool:
+    return vehicle.times is not None and vehicle.times.is_late
+
+
+def _late_texts(kind: str, vehicles: list[Vehicle]) -> Iterator[str]:
+    """Yield how late those are who end somewhere, each named if they are several."""
+    for vehicle in vehicles:
+        if kind == "end" and _is_late(vehicle):
+            text = say("script.mark-late", time=vehicle.day.text.late)
+            yield f"{vehicle.letter}: {text}" if len(vehicles) > 1 else text
 
 
 def _end(vehicle: Vehicle, end: str) -> Stop:
