@@ -279,7 +279,7 @@ def test_network_and_junctions_hide(page_file: Path, visit: Visit) -> None:
     }"""
     assert page.evaluate(ink, "network") > 1000
     assert page.evaluate(ink, "junctions") == 0
-    page.evaluate("map_plan.setZoom(10, {animate: false})")
+    page.evaluate("void map_plan.setZoom(10, {animate: false})")
     page.wait_for_timeout(100)
     assert page.evaluate(ink, "junctions") > 0
     page.locator('[data-layer="junctions"]').uncheck()
