@@ -207,10 +207,12 @@ def write_results(
         The comparison as Markdown.
     """
     from . import figures, tables
+    from .answer import answer_of
     from .comparison import compare, network_label
     from .example import example_of
-    from .page import write_page
-    from .shown_tables import CALLED, markdown, shown_tables
+    from .page import Picture, StudyPage, write_page
+    from .parameters import parameters_in_words
+    from .shown_tables import CALLED, MIXED, markdown, shown_tables
     from .verdict import verdict
 
     rows = compare(results)
@@ -220,31 +222,42 @@ def write_results(
     path = output / "figure-1-network"
     tables.write_network(path.with_suffix(".csv"), examples)
     drawn = [(path, figures.save_figure(figures.network_figure(examples), path),
-              "Road graphs with the longest platoon in red, spawn points and member routes, at "
-              f"tau = 100 %, xi = 18 %.{_credit(results)}")]  # fmt: skip
+              "Networks and the longest platoon",
+              "Roads grey, the longest platoon red, other routes coloured, spawn points as dots, "
+              f"with time counted in full (tau = 100 %) and xi = 18 %.{_credit(results)}",
+              f"{len(examples)} road networks, each with the routes of its vehicles from nearby "
+              "starts and the longest platoon among them.")]  # fmt: skip
     path = output / "figure-2-costs"
     tables.write_costs(path.with_suffix(".csv"), results)
     drawn.append((path, figures.save_figure(figures.cost_figure(first), path),
-                  f"Mean cost of a vehicle alone and jointly, {study.methods[0]}, "
-                  f"{study.terms[0]}, vehicles at {network_label(first)}; the ring marks "
-                  "tau = 100 %, xi = 18 %."))  # fmt: skip
+                  "What a vehicle costs alone and together",
+                  f"Mean cost over the weights tau and xi by {CALLED[study.methods[0]]}; terms "
+                  f"{study.terms[0].replace('+', ' + ')}, vehicles at {network_label(first)}. "
+                  "The ring marks tau = 100 %, xi = 18 %.",
+                  "Surfaces over tau and xi: the cost alone is level, the joint cost lies below "
+                  "it; Table 4 has the least and the greatest values."))  # fmt: skip
     for number, method in ((3, "dijkstra"), (4, "astar"), (5, "astar-closed-once")):
         if method in study.methods:
             path = output / f"figure-{number}-involvement-{method}"
             tables.write_involvement(path.with_suffix(".csv"), results, method)
             drawn.append((
                 path, figures.save_figure(figures.involvement_figure(results, method), path),
-                f"Members that join a platoon by {CALLED[method]}, mixing “{study.mixings[0]}” of "
-                f"{study.terms[0]}; columns are placings of the vehicles.",
+                f"Members that join a platoon, {CALLED[method]}",
+                f"Rates tau and xi {MIXED[study.mixings[0]]}; terms "
+                f"{study.terms[0].replace('+', ' + ')}. A column for each placing of the vehicles.",
+                f"Shares of members over tau and xi, for {len(results)} placings; Table 3 has "
+                "their means.",
             ))  # fmt: skip
     tables.write_comparison(output / "comparison.csv", rows)
     tables.write_parquet(output / "results.parquet", results)
     shown, paragraph = shown_tables(results, rows), verdict(rows, results)
-    write_page(
-        output / "report.html", [(files[1], caption) for _, files, caption in drawn], shown,
-        paragraph, {"seed": first.seed, "studies": [r.study.to_dict() for r in results]}, command,
-    )  # fmt: skip
-    written = [file for path, files, _ in drawn for file in (path.with_suffix(".csv"), *files)]
+    pictures = [Picture(title, caption, alt, files[1]) for _, files, title, caption, alt in drawn]
+    plain = {"seed": first.seed, "studies": [r.study.to_dict() for r in results]}
+    write_page(output / "report.html", StudyPage(
+        answer_of(rows, results), paragraph, pictures, shown, parameters_in_words(results), plain,
+        command,
+    ))  # fmt: skip
+    written = [file for path, files, *_ in drawn for file in (path.with_suffix(".csv"), *files)]
     written += [output / name for name in ("comparison.csv", "results.parquet", "report.html")]
     how = f"Measured by `{command}`. Brackets hold 95 % bootstrap intervals over networks."
     return written, paragraph, markdown(shown, paragraph, how)

@@ -69,10 +69,11 @@ def test_the_report_asks_for_nothing(made):
     page = (made / "report.html").read_text(encoding="utf-8")
     assert "Content-Security-Policy" in page
     assert "default-src &#x27;none&#x27;" in page
-    assert not re.search(r'(?:src|href)="(?!data:)', page)
+    assert not re.search(r'(?:src|href)="(?!data:|#)', page)
     assert "<script" not in page
     assert page.count("<img ") == 5
     assert "paper 33 %" in page
+    assert "xi = 18 %" in page
 
 
 def test_the_table_in_a_document_is_renewed(made, tmp_path):
@@ -83,7 +84,7 @@ def test_the_table_in_a_document_is_renewed(made, tmp_path):
     assert text.startswith("before\n<!-- study:begin -->\nMeasured by `platoon-osm study")
     assert text.endswith("<!-- study:end -->\nafter\n")
     assert "\nold\n" not in text
-    assert "| paper 8 %: members |" in text
+    assert "| Dijkstra: members | Dijkstra: with master |" in text
 
 
 @pytest.mark.parametrize(

@@ -142,10 +142,13 @@ def test_every_reading_has_its_rows_and_its_lines(result):
     keys = {(r.terms, r.mixing, r.method) for r in rows}
     assert len(keys) == len(TERM_SUMS) * 2 * 3
     tables = shown_tables([result], rows)
-    # Savings and involvement by three methods, two of costs, two of terms, one of draws.
-    assert len(tables) == 3 + 3 + 2 + 2 + 1
-    sums, ranges = tables[-3:-1]
-    assert [line[0] for line in ranges.rows] == list(TERM_SUMS)
+    # Two of savings, involvement, costs, two of terms, two of draws; all methods side by side.
+    assert len(tables) == 2 + 1 + 1 + 2 + 2
+    for table in (*tables[:3], tables[-1]):
+        groups = {group for group, _ in table.heads}
+        assert {"A*, nodes opened again", "A*, each node once"} <= groups
+    sums, ranges = tables[-4:-2]
+    assert [line[0] for line in ranges.rows] == [terms.replace("+", " + ") for terms in TERM_SUMS]
     assert len(sums.rows) == len(TERM_SUMS) * 2
     for table in tables:
         assert all(len(line) == len(table.header) for line in table.rows)
