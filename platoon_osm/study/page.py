@@ -159,8 +159,8 @@ def _answer(answer: Answer, paragraph: str) -> Iterator[str]:
     text = html.escape
 
     def inside() -> Iterator[str]:
-        yield f'<p class="verdict {answer.standing}">{text(answer.verdict)}</p>'
-        yield f"<p>{text(answer.asked)} {text(answer.found)}</p>"
+        yield f'<p class="verdict agrees-{answer.standing}">{text(answer.verdict)}</p>'
+        yield f"<p>{_unbroken(answer.asked)} {_unbroken(answer.found)}</p>"
         yield _box("t-answer", "The paper's numbers and ours", short=True)
         yield (
             '<table><thead><tr><th scope="col" class="label">Number</th><th scope="col">Paper</th>'
@@ -175,12 +175,17 @@ def _answer(answer: Answer, paragraph: str) -> Iterator[str]:
                 f"<td>{text(number.interval) or '–'}</td>"
                 f'<td><span class="mark {mark[0]}">{mark[1]}</span></td></tr>'
             )
-        yield f'</tbody></table></div><p class="caption">{text(answer.reading)}</p>'
+        yield f'</tbody></table></div><p class="caption">{_unbroken(answer.reading)}</p>'
         yield "<h3>In full</h3><ul>"
-        yield from (f"<li>{text(sentence)}</li>" for sentence in _sentences(paragraph))
+        yield from (f"<li>{_unbroken(sentence)}</li>" for sentence in _sentences(paragraph))
         yield "</ul>"
 
     return _section("answer", "The answer", inside())
+
+
+def _unbroken(text: str) -> str:
+    """Return a text as HTML in which no line ends between a number and its sign."""
+    return html.escape(text).replace(" %", "&nbsp;%")
 
 
 def _sentences(paragraph: str) -> list[str]:
