@@ -104,7 +104,10 @@ def test_nobody_in_platoon(net: RoadNetwork) -> None:
         net, [("A", "Torino", "Trieste", None, None), ("B", "Parma", "La Spezia", None, None)]
     )
     document = report_document(plan, net)
-    assert document["subtitle"] == "2 vehicles, no platoon"
+    assert document["subtitle"] == "2 vehicles"
+    assert [one["text"] for one in document["status"]] == [
+        "No platoon: all vehicles drive alone"
+    ]
     assert document["platoons"] == []
     assert document["events"] == []
 

@@ -36,7 +36,8 @@ function filter() {
     row.hidden = !fits;
     shown += fits ? 1 : 0;
   }
-  form.querySelector("output").textContent = `${shown} of ${rows.length} platoons`;
+  form.querySelector("output").textContent =
+    pageElements.say("platoons-shown", { shown: pageElements.number(shown), all: pageElements.number(rows.length) });
 }
 
 form.addEventListener("input", filter);

@@ -36,6 +36,7 @@ def driving_note(document: Document) -> Tree:
         "driving",
         {
             "rows": rows,
+            "note": say("driving.note" if document.platoons else "driving.note-alone"),
             "more": Piece("driving-more", {"text": say("driving.more", n=more)})
             if more > 0
             else NOTHING,

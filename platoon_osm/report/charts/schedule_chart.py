@@ -15,7 +15,7 @@ from ..markup.fragments import NOTHING, Piece, Tree
 from .axes import SIZE, WIDTH, Tick, day_scale, letter_type, text_width
 from .sentences import sentence, spoken_list
 
-__all__ = ["BEYOND", "late_note", "schedule_chart", "schedule_notes"]
+__all__ = ["BEYOND", "schedule_chart", "schedule_notes"]
 
 LEFT, RIGHT = 38.0, 358.0
 ROW, CROWDED_ROW = 38, 26
@@ -159,7 +159,7 @@ def _late(vehicles: Sequence[Vehicle]) -> Tree:
 
 def _late_ones(vehicles: Sequence[Vehicle]) -> str:
     return ", ".join(
-        say("schedule.late-by", vehicle=vehicle.letter, time=vehicle.times.text.late)
+        say("schedule.late-by", vehicle=vehicle.called, time=vehicle.times.text.late)
         for vehicle in vehicles
         if vehicle.times is not None and vehicle.times.is_late
     )
@@ -347,20 +347,3 @@ def _span_label(times: VehicleDay) -> Piece:
             "weight": "700" if late else "400",
         },
     )
-
-
-def late_note(document: Document) -> list[Piece]:
-    """Return a note of who arrives too late, and by how much.
-
-    Parameters
-    ----------
-    document : Document
-        Whose vehicles they are.
-
-    Returns
-    -------
-    list of Piece
-        One note, or none if all are in time.
-    """
-    who = _late_ones(document.vehicles)
-    return [Piece("note-late", {"text": say("schedule.not-feasible", who=who)})] if who else []

@@ -19,7 +19,7 @@ from ..language.speech import speaking, spoken
 from .as_json import as_json
 from .checks import check_title
 from .event_marks import event_mark, told_events
-from .findings import find
+from .findings import Findings, find
 from .journey import rounded
 from .long_drives import long_drives
 from .map_lines import inferred_routes, platoon_line, solo_line
@@ -27,6 +27,7 @@ from .model import CostLabel, Document
 from .model_map import Basemap
 from .place_labels import junction_labels
 from .provenance import provenance
+from .status import status
 from .surroundings import surroundings
 from .timeline import timeline
 from .totals import groups, subtitle_of, title_of, totals
@@ -95,6 +96,7 @@ def document_of(
     styles: Mapping[str, VehicleStyle] | None = None,
     language: str | None = None,
     clock: int | None = None,
+    largest: float | None = None,
 ) -> Document:
     """Return the document of a plan as records; as `report_document` otherwise.
 
@@ -114,6 +116,8 @@ def document_of(
         That the texts are in, such as "de"; by default English.
     clock : int or None
         24 or 12 hours; by default as the language has it.
+    largest : float or None
+        The largest cost printed on the page; by default that of all vehicles alone.
 
     Returns
     -------
@@ -127,17 +131,10 @@ def document_of(
     """
     check_title(title)
     with speaking(language, clock):
-        return _document(plan, net, title, weights, styles)
+        return _document(find(plan, net, weights, styles, largest), plan, net, title)
 
 
-def _document(
-    plan: Plan,
-    net: RoadNetwork,
-    title: str | None,
-    weights: EdgeWeights | None,
-    styles: Mapping[str, VehicleStyle] | None,
-) -> Document:
-    found = find(plan, net, weights, styles)
+def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) -> Document:
     vehicles = tuple(vehicle(found, index) for index in range(len(plan.vehicles)))
     stops = [(s.lon, s.lat) for one in vehicles for s in (one.origin, one.destination)]
     around = surroundings(net, stops)
@@ -148,6 +145,13 @@ def _document(
         clock=spoken().clock,
         title=title_of(found, title),
         subtitle=subtitle_of(found),
+        status=tuple(
+            status(
+                [one.called for one in vehicles],
+                [one.times for one in vehicles],
+                bool(found.groups),
+            )
+        ),
         cost_unit=CostLabel(found.unit.label, found.unit.note, found.unit.scale),
         totals=totals(found),
         vehicles=vehicles,

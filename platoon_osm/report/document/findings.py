@@ -11,13 +11,14 @@ from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...plans.records import Event, Stretch
 from ..drawing.vehicle_styles import VehicleStyle, vehicle_styles
-from ..markup.quantities import CostUnit, cost_unit
+from ..markup.quantities import CostUnit
 from .alone_costs import with_alone_costs
 from .checks import check_plan, check_styles
 from .journey import journey, levels
 from .line_parts import PlatoonPart, SoloPart, platoon_parts, solo_parts
 from .model_day import JourneyScale
 from .opposite import opposite_gaps
+from .wording import plan_unit
 
 __all__ = ["Findings", "find", "moment_of"]
 
@@ -91,6 +92,7 @@ def find(
     net: RoadNetwork,
     weights: EdgeWeights | None = None,
     styles: Mapping[str, VehicleStyle] | None = None,
+    largest: float | None = None,
 ) -> Findings:
     """Work out a plan for its document, each thing once.
 
@@ -104,6 +106,8 @@ def find(
         Those it was made with, where they cannot be made again from its parameters.
     styles : mapping of str to VehicleStyle, or None
         How each vehicle looks, by its name; by default their own.
+    largest : float or None
+        The largest cost printed on the page; by default that of all vehicles alone.
 
     Returns
     -------
@@ -128,7 +132,7 @@ def find(
     return Findings(
         plan=plan,
         net=net,
-        unit=cost_unit(plan.unit),
+        unit=plan_unit(plan, largest),
         styles=tuple(looks),
         platoons=platoons,
         solos=solos,

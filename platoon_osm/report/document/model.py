@@ -31,6 +31,7 @@ __all__ = [
     "Group",
     "LabelledText",
     "Provenance",
+    "Status",
     "Totals",
 ]
 
@@ -58,6 +59,22 @@ class CostLabel:
 
 
 @dataclass(frozen=True, slots=True)
+class Status:
+    """What a reader should know first, in a line.
+
+    Attributes
+    ----------
+    kind : str
+        "bad" if somebody is late, "good" if all are in time, else "plain".
+    text : str
+        What it says.
+    """
+
+    kind: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Figure:
     """One of the large figures at the head of a page.
 
@@ -68,7 +85,7 @@ class Figure:
     label : str
         What it tells.
     kind : str
-        "good" if it is a gain, else "plain".
+        "good" if it is a gain and nobody is late for it, else "plain".
     """
 
     figure: str
@@ -198,6 +215,8 @@ class Document:
         The hours on the face of its clock, 24 or 12.
     title, subtitle : str
         Head the page.
+    status : tuple of Status
+        What a reader should know first.
     cost_unit : CostLabel
         What costs are counted in.
     totals : Totals
@@ -242,6 +261,7 @@ class Document:
     clock: int
     title: str
     subtitle: str
+    status: tuple[Status, ...]
     cost_unit: CostLabel
     totals: Totals
     vehicles: tuple[Vehicle, ...]

@@ -151,6 +151,9 @@ class VehicleDay:
         As asked for.
     waiting_s, held_s, late_s : float
         How long it waits on the road, at its origin, and arrives too late.
+    late_alone_s : float or None
+        How late it would be if it left as early as it may and drove alone; None if it named no
+        earliest departure or no latest arrival.
     spans : tuple of tuple of float
         Begin and end of each piece of its way; between two it waits.
     text : VehicleDayTexts
@@ -165,6 +168,7 @@ class VehicleDay:
     waiting_s: float
     held_s: float
     late_s: float
+    late_alone_s: float | None
     spans: tuple[tuple[float, float], ...]
     text: VehicleDayTexts
 

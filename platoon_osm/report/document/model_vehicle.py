@@ -4,10 +4,34 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...shown_text import shortened
 from ..drawing.vehicle_styles import letter_size
 from .model_day import Fatigue, VehicleDay
 
-__all__ = ["CostTexts", "Stop", "Vehicle", "VehicleTexts"]
+__all__ = ["CostTexts", "Stop", "Vehicle", "VehicleTexts", "called"]
+
+LONGEST_CALLED = 28
+"""Letters of a name that a sentence bears."""
+
+
+def called(letter: str, name: str) -> str:
+    """Return what texts call a vehicle, the same everywhere: "A (Torino 1)".
+
+    Parameters
+    ----------
+    letter : str
+        Which pictures bear.
+    name : str
+        Its own, fit to be shown; empty if that is the letter.
+
+    Returns
+    -------
+    str
+        Letter and name; a name in letters that may run from right to left stands between isolates.
+    """
+    short = shortened(name, LONGEST_CALLED)
+    own = short if short.isascii() else f"\u2068{short}\u2069"
+    return f"{letter} ({own})" if name else letter
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +167,16 @@ class Vehicle:
     text: VehicleTexts
     fatigue: Fatigue
     times: VehicleDay | None
+
+    @property
+    def called(self) -> str:
+        """What texts call it: its letter, which pictures bear, and its own name if it has one."""
+        return called(self.letter, self.name)
+
+    @property
+    def is_late(self) -> bool:
+        """Whether it arrives too late by as much as is told."""
+        return self.times is not None and self.times.is_late
 
     @property
     def day(self) -> VehicleDay:

@@ -11,12 +11,25 @@ from ...plans.credits import credits_of
 from ...plans.leading import leading_text
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
+from ..language.plan_sentences import in_language
+from ..language.speech import number, say
 from ..markup.quantities import CostUnit, percent
 from .model import LabelledText, Provenance
 
 __all__ = ["credits", "proof_text", "provenance"]
 
-METHODS = {"dijkstra": "Dijkstra", "astar": "A*", "astar-closed-once": "A*, each node once"}
+METHODS = {
+    "dijkstra": "about.dijkstra",
+    "astar": "about.astar",
+    "astar-closed-once": "about.astar-once",
+}
+
+OBJECTIVES = {"member": "about.of-member", "system": "about.of-system"}
+
+KINDS = {"bound": "proof.bound", "heuristic": "proof.heuristic"}
+
+LATENESS = "not feasible in time"
+"""Begins the remarks that say who is late, which the page has said already, first of all."""
 
 PROOF_KEYS = frozenset(
     {"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum", "any_plan"}
@@ -42,22 +55,22 @@ def provenance(plan: Plan, net: RoadNetwork, unit: CostUnit) -> Provenance:
     """
     identity = plan.network
     extracted = identity.extracted or net.source.extracted
-    network = f"{identity.name}, {identity.nodes:,} nodes, {identity.edges:,} edges"
+    nodes, edges = number(identity.nodes), number(identity.edges)
     rows = (
-        ("Network", network),
-        ("Data of", _day(extracted)),
+        (say("about.network"), say("about.size", name=identity.name, nodes=nodes, edges=edges)),
+        (say("about.data-of"), _day(extracted)),
         ("sha256", identity.sha256),
-        ("Graph", identity.identity),
-        ("Method", _method(plan)),
-        ("Costs", ", ".join(_parameters(plan.params))),
-        ("Made by", f"platoon_osm {plan.version}".strip()),
+        (say("about.graph"), identity.identity),
+        (say("about.method"), _method(plan)),
+        (say("about.costs"), ", ".join(_parameters(plan.params))),
+        (say("about.made-by"), f"platoon_osm {plan.version}".strip()),
     )
-    told = (fitted(leading_text(plan)), proof_text(plan.proof, unit))
+    told = (fitted(in_language(leading_text(plan))), proof_text(plan.proof, unit))
     proof = " ".join(text for text in told if text)
     return Provenance(
         rows=tuple(LabelledText(label, fitted(text)) for label, text in rows if text),
         proof=fitted(proof),
-        remarks=tuple(fitted(remark) for remark in plan.remarks),
+        remarks=tuple(fitted(in_language(remark)) for remark in _other_remarks(plan)),
         credits=credits(plan, net),
     )
 
@@ -102,35 +115,42 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
     }
     raw = [proof.get("kind", ""), *_items(proof.get("conditions"))]
     # Every text of others is made fit here, before any of them is put into a sentence.
-    kind, *conditions = (shown(text) for text in raw)
+    kind, *conditions = (shown(in_language(str(text))) for text in raw)
     told = [(shown(key), _value(value)) for key, value in others.items()]
     bound, gap = _number(proof, "bound"), _number(proof, "gap")
     excess, optimum = _number(proof, "excess"), _number(proof, "optimum")
     solo_excess, any_plan = _number(proof, "solo_excess"), _number(proof, "any_plan")
     parts: list[str] = []
     if kind == "exact":
-        parts.append("Proved optimal for" if conditions else "Proved optimal for these trips")
+        parts.append(say("proof.optimal-for" if conditions else "proof.optimal"))
+    elif kind in KINDS:
+        parts.append(say(KINDS[kind]))
     elif kind:
         parts.append(kind[:1].upper() + kind[1:])
     if gap is not None:
-        parts.append(f"at most {percent(gap)} above the optimum")
+        parts.append(say("proof.gap", share=percent(gap)))
     if bound is not None:
-        parts.append(f"no plan can cost less than {unit.full(bound)}")
+        parts.append(say("proof.bound-is", cost=unit.full(bound)))
     if excess is not None:
         # The planner's optimum is that of its own case: another way of counting may lie below it.
-        side = "above" if excess >= 0 else "below"
-        parts.append(f"found by the paper's A*, {percent(abs(excess))} {side} the optimum")
+        side = "proof.above" if excess >= 0 else "proof.below"
+        parts.append(say(side, share=percent(abs(excess))))
     if solo_excess is not None:
-        parts.append(f"its routes alone cost {percent(solo_excess)} above the least")
+        parts.append(say("proof.solo-excess", share=percent(solo_excess)))
     if optimum is not None:
-        parts.append(f"the optimum costs {unit.full(optimum)}")
+        parts.append(say("proof.optimum", cost=unit.full(optimum)))
     parts += conditions
     if any_plan is not None and kind == "exact":
-        parts.append(f"no other routes and company cost less than {unit.full(any_plan)}")
+        parts.append(say("proof.any-plan", cost=unit.full(any_plan)))
     parts += [f"{key.replace('_', ' ')}: {text}" for key, text in told]
     head, *rest = parts or [""]
     text = f"{head}: {'; '.join(rest)}" if rest else head
     return f"{text.rstrip('.')}." if text else ""
+
+
+def _other_remarks(plan: Plan) -> list[str]:
+    """Return the plan's remarks but those of lateness."""
+    return [remark for remark in plan.remarks if not remark.startswith(LATENESS)]
 
 
 def _day(moment: str) -> str:
@@ -153,9 +173,13 @@ def _number(proof: Mapping[str, object], name: str) -> float | None:
 
 
 def _method(plan: Plan) -> str:
-    asked = f" (asked: {plan.asked})" if plan.asked and plan.asked != plan.case else ""
-    method = METHODS.get(plan.method, plan.method)
-    return f"case {plan.case}{asked}, least cost of the {plan.objective}, {method}"
+    method = say(METHODS[plan.method]) if plan.method in METHODS else plan.method
+    least = OBJECTIVES.get(plan.objective)
+    objective = say(least) if least else plan.objective
+    text = say("about.planned", case=plan.case, objective=objective, method=method)
+    if plan.asked and plan.asked != plan.case:
+        text += f" ({say('about.asked', case=plan.asked)})"
+    return text
 
 
 def _parameters(params: Mapping[str, object]) -> Iterator[str]:

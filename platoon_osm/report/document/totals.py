@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...shown_text import fitted, shortened, shown
+from ..language.speech import number, say
 from ..markup.quantities import clock_span, kilometres, litres, percent, true_minus
 from .event_marks import told_events
 from .findings import Findings
 from .model import Figure, Group, Totals
-from .wording import cost_texts, counted, joined
+from .wording import cost_texts, joined
 
 __all__ = ["groups", "subtitle_of", "title_of", "totals"]
 
@@ -34,7 +35,8 @@ def title_of(found: Findings, title: str | None) -> str:
     vehicles = found.plan.vehicles
     first = next((v for v in vehicles if v.role == "master"), vehicles[0])
     ends = (shortened(shown(stop.name), 40) for stop in (first.origin, first.destination))
-    return "Platoon plan, " + " \u2013 ".join(ends)
+    title = "totals.title" if found.groups else "totals.title-alone"
+    return say(title, way=" \u2013 ".join(ends))
 
 
 def subtitle_of(found: Findings) -> str:
@@ -50,17 +52,15 @@ def subtitle_of(found: Findings) -> str:
     str
         In one line.
     """
-    kinds = [found.plan.events[number].kind for number in told_events(found)]
+    kinds = [found.plan.events[place].kind for place in told_events(found)]
     merges, separations = kinds.count("merge"), kinds.count("separation")
-    parts = [counted(len(found.plan.vehicles), "vehicle", "vehicles")]
+    parts = [say("totals.vehicles", n=len(found.plan.vehicles))]
     if len(found.groups) > 1:
-        parts.append(f"{len(found.groups)} platoons")
+        parts.append(say("totals.platoons", n=len(found.groups)))
     if merges:
-        parts.append(counted(merges, "merge point", "merge points"))
+        parts.append(say("totals.merges", n=merges))
     if separations:
-        parts.append(counted(separations, "separation point", "separation points"))
-    if not found.groups:
-        parts.append("no platoon")
+        parts.append(say("totals.separations", n=separations))
     return ", ".join(parts)
 
 
@@ -77,25 +77,24 @@ def totals(found: Findings) -> Totals:
     Totals
         With the three figures at the head of the page.
     """
-    plan, unit = found.plan, found.unit
+    plan = found.plan
     road_m = plan.platoon_road_m
     alone_l = sum(vehicle.alone.fuel_l for vehicle in plan.vehicles)
     saved_l = alone_l - sum(vehicle.fuel_l for vehicle in plan.vehicles)
     extra_m = sum(vehicle.length_m - vehicle.alone.length_m for vehicle in plan.vehicles)
-    saved = plan.solo_cost - plan.joint_cost
-    figures = (
-        Figure(
-            true_minus(percent(plan.saving)),
-            f"saved, {unit.full(saved)}",
-            "good" if saved > 0 else "plain",
-        ),
-        Figure(
-            kilometres(road_m),
-            f"of road in platoon, {plan.platoon_m / 1000:,.0f} vehicle-km",
-            "plain",
-        ),
-        _third_figure(found, alone_l, saved_l, extra_m),
-    )
+    figures: tuple[Figure, ...]
+    if found.groups:
+        figures = (
+            _saving(found),
+            Figure(
+                kilometres(road_m),
+                say("totals.in-platoon", km=number(plan.platoon_m / 1000)),
+                "plain",
+            ),
+            _third_figure(found, alone_l, saved_l, extra_m),
+        )
+    else:
+        figures = _figures_alone(found)
     return Totals(
         solo_cost=plan.solo_cost,
         joint_cost=plan.joint_cost,
@@ -105,23 +104,55 @@ def totals(found: Findings) -> Totals:
         fuel_saved_l=saved_l,
         extra_m=extra_m,
         figures=figures,
-        text=cost_texts(plan.solo_cost, plan.joint_cost, unit),
+        text=cost_texts(plan.solo_cost, plan.joint_cost, found.unit),
+    )
+
+
+def _saving(found: Findings) -> Figure:
+    """Return what is saved: no success if somebody is late for it."""
+    plan, table = found.plan, found.plan.timetable
+    saved = plan.solo_cost - plan.joint_cost
+    in_time = table is None or table.feasible
+    return Figure(
+        true_minus(percent(plan.saving)),
+        say("totals.saved", cost=found.unit.full(saved)),
+        "good" if saved > 0 and in_time else "plain",
+    )
+
+
+def _figures_alone(found: Findings) -> tuple[Figure, ...]:
+    """Return what the journeys take where nobody drives in company."""
+    plan = found.plan
+    length_m = sum(vehicle.length_m for vehicle in plan.vehicles)
+    time_s = sum(vehicle.time_s for vehicle in plan.vehicles)
+    fuel_l = sum(vehicle.fuel_l for vehicle in plan.vehicles)
+    cost = say("totals.cost", cost=found.unit.full(plan.joint_cost))
+    return (
+        Figure(kilometres(length_m), say("totals.to-drive"), "plain"),
+        Figure(clock_span(time_s), say("totals.driving"), "plain"),
+        Figure(litres(fuel_l), say("totals.fuel", cost=cost), "plain"),
     )
 
 
 def _third_figure(found: Findings, alone_l: float, saved_l: float, extra_m: float) -> Figure:
     """Return what it takes: waiting where there are times, else fuel, else distance."""
     if (table := found.plan.timetable) is not None:
-        fuel = f"{litres(saved_l)} of fuel saved" if saved_l > 0 else "no fuel saved"
-        return Figure(clock_span(table.waiting_s), f"waiting on the road; {fuel}", "plain")
+        fuel = (
+            say("totals.fuel-saved", fuel=litres(saved_l))
+            if saved_l > 0
+            else say("totals.no-fuel-saved")
+        )
+        return Figure(clock_span(table.waiting_s), say("totals.waiting", fuel=fuel), "plain")
     if saved_l <= 0:
-        return Figure(kilometres(extra_m), "further than alone", "plain")
+        return Figure(true_minus(kilometres(extra_m)), say("totals.further-than-alone"), "plain")
     # Shorter is possible: alone, a vehicle may take a longer road that costs less.
-    longer = f"{kilometres(abs(extra_m))} {'further' if extra_m >= 0 else 'less'} to drive"
+    way = say(
+        "totals.further" if extra_m >= 0 else "totals.shorter", length=kilometres(abs(extra_m))
+    )
     if abs(extra_m) < 50:
-        longer = "no extra distance"
-    share = f"{percent(saved_l / alone_l)} of fuel saved"
-    return Figure(litres(saved_l), f"{share}; {longer}", "plain")
+        way = say("totals.no-extra")
+    share = percent(saved_l / alone_l)
+    return Figure(litres(saved_l), say("totals.fuel-share", share=share, way=way), "plain")
 
 
 def groups(found: Findings) -> Iterator[Group]:
@@ -141,19 +172,19 @@ def groups(found: Findings) -> Iterator[Group]:
     grouped = {index for group in found.groups for index in group}
     alone = tuple(index for index in range(len(vehicles)) if index not in grouped)
     kinds = [("platoon", group) for group in found.groups] + [("alone", alone)] * bool(alone)
-    for number, (kind, members) in enumerate(kinds, 1):
+    for rank, (kind, members) in enumerate(kinds, 1):
         # The vehicles of a platoon share one road: its length counts once.
         road_m = sum(one.length_m for one in found.platoons if one.vehicles[0] in members)
         before = sum(vehicles[index].solo_cost for index in members)
         after = sum(vehicles[index].joint_cost for index in members)
-        facts = counted(len(members), "vehicle", "vehicles")
+        facts = say("totals.vehicles", n=len(members))
         if len(members) > 1:
             facts += f" ({joined(found.letters(members))})"
         if kind == "platoon":
-            facts += f", {kilometres(road_m)} of road in platoon"
+            facts += f", {say('totals.road-in-platoon', length=kilometres(road_m))}"
         yield Group(
             kind=kind,
-            name=f"Platoon {number}" if kind == "platoon" else "Driving alone",
+            name=say("totals.platoon", number=rank) if kind == "platoon" else say("totals.alone"),
             facts=facts,
             vehicles=members,
             road_m=road_m,

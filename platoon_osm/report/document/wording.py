@@ -4,31 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..markup.quantities import CostUnit, percent, signed
+from ...plans.plan import Plan
+from ..language.speech import say
+from ..markup.quantities import CostUnit, cost_unit, percent, signed
 from .model_vehicle import CostTexts
 
-__all__ = ["MOST_NAMED", "cost_texts", "counted", "joined"]
+__all__ = ["MOST_NAMED", "cost_texts", "joined", "plan_unit"]
 
 MOST_NAMED = 5
 """Vehicles named one by one; a larger company is called the platoon."""
-
-
-def counted(number: int, one: str, many: str) -> str:
-    """Return a number of things.
-
-    Parameters
-    ----------
-    number : int
-        How many.
-    one, many : str
-        What one is called, and several.
-
-    Returns
-    -------
-    str
-        "1 vehicle", "3 vehicles".
-    """
-    return f"{number} {one if number == 1 else many}"
 
 
 def joined(letters: Sequence[str], most: int = MOST_NAMED) -> str:
@@ -47,8 +31,28 @@ def joined(letters: Sequence[str], most: int = MOST_NAMED) -> str:
         Empty without letters.
     """
     if len(letters) > most:
-        return f"{', '.join(letters[: most - 1])} and {len(letters) - most + 1} more"
-    return " and ".join(part for part in (", ".join(letters[:-1]), *letters[-1:]) if part)
+        told, rest = letters[: most - 1], len(letters) - most + 1
+        return say("list.more", n=rest, who=", ".join(told))
+    *before, last = letters or [""]
+    return say("list.and", before=", ".join(before), last=last) if before else last
+
+
+def plan_unit(plan: Plan, largest: float | None = None) -> CostUnit:
+    """Return how the costs of a plan are printed: all with as many decimals.
+
+    Parameters
+    ----------
+    plan : Plan
+        Whose costs they are.
+    largest : float or None
+        The largest cost that is printed beside them; by default that of all vehicles alone.
+
+    Returns
+    -------
+    CostUnit
+        Without decimals where sums are large.
+    """
+    return cost_unit(plan.unit, plan.solo_cost if largest is None else largest)
 
 
 def cost_texts(alone: float, joint: float, unit: CostUnit) -> CostTexts:

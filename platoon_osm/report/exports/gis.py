@@ -17,8 +17,8 @@ from ...shown_text import shown
 from ..document.checks import check_path
 from ..document.findings import moment_of
 from ..document.provenance import credits, proof_text
+from ..document.wording import plan_unit
 from ..drawing.vehicle_styles import vehicle_styles
-from ..markup.quantities import cost_unit
 from .geopackage import Layer, changed_at, write_layers
 from .legs import leg_columns, leg_rows, roads_of
 from .qgis_styles import STYLES, style_rows
@@ -201,7 +201,7 @@ def _about(plan: Plan, net: RoadNetwork) -> list[tuple[str, str]]:
         ("objective", plan.objective),
         ("method", plan.method),
         ("cost_unit", plan.unit),
-        ("proof", proof_text(plan.proof, cost_unit(plan.unit))),
+        ("proof", proof_text(plan.proof, plan_unit(plan))),
         *(
             [("times", plan.timetable.clock.zone), ("feasible_in_time", plan.timetable.feasible)]
             if plan.timetable

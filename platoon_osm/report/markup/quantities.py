@@ -215,13 +215,22 @@ class CostUnit:
         return f"{self.before}{self.bare(cost)}{self.after}"
 
 
-def cost_unit(unit: str) -> CostUnit:
+LARGE = 10_000.0
+"""Costs from here on are printed without decimals, and so are all beside them."""
+
+WHOLE = frozenset({"CLP", "ISK", "JPY", "KRW", "PYG", "UGX", "VND", "XAF", "XOF"})
+"""Money that has no coins below its unit."""
+
+
+def cost_unit(unit: str, largest: float = 0.0) -> CostUnit:
     """Return how costs of a plan are printed.
 
     Parameters
     ----------
     unit : str
         The plan's: "m", "EUR", or any other.
+    largest : float
+        The largest cost that is printed; where it is large, no cost has decimals.
 
     Returns
     -------
@@ -231,8 +240,12 @@ def cost_unit(unit: str) -> CostUnit:
     if unit == "m":
         label = say("unit.km")
         after = "\u00a0" + label.replace(" ", "\u00a0")
-        return CostUnit(label, say("unit.km-note"), 1e-3, 1, "", after)
+        decimals = 0 if abs(largest) * 1e-3 >= LARGE else 1
+        return CostUnit(label, say("unit.km-note"), 1e-3, decimals, "", after)
+    decimals = 0 if abs(largest) >= LARGE or unit in WHOLE else 2
     if unit == "EUR":
-        return CostUnit("\u20ac", "", 1.0, 2, "\u20ac", "")
+        return CostUnit("\u20ac", "", 1.0, decimals, "\u20ac", "")
     name = shortened(shown(unit), 12)
-    return CostUnit(name or say("unit.cost"), "", 1.0, 2, "", f"\u00a0{name}" if name else "")
+    return CostUnit(
+        name or say("unit.cost"), "", 1.0, decimals, "", f"\u00a0{name}" if name else ""
+    )

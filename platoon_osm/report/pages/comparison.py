@@ -20,7 +20,7 @@ from ..maps.static_map import small_maps
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, kilometres, litres, percent, true_minus
 from ..markup.still_page import PAGE_STYLES, still_page
-from .page_pieces import badge, costs_of, figures, items
+from .page_pieces import badge, costs_of, figures, items, status_lines
 
 __all__ = ["write_comparison"]
 
@@ -84,6 +84,7 @@ def _page(comparison: Comparison) -> str:
                 "map": drawing,
                 "figures": figures(plan.totals.figures),
                 "subtitle": plan.subtitle,
+                "status": status_lines(plan.status),
             },
         )
         for number, (plan, drawing) in enumerate(zip(plans, small_maps(plans), strict=True), 1)

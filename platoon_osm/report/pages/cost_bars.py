@@ -7,12 +7,19 @@ from dataclasses import dataclass
 
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
+from ..language.speech import say
 from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["cost_bars"]
 
-BARS_LEFT, BARS_RIGHT = 34.0, 304.0
+BARS_LEFT, BARS_END = 34.0, 372.0
 BAR_ROW = 30
+
+DIGIT, NET_DIGIT = 6.3, 7.4
+"""Width of a letter of a number in pixels, and of one in bold."""
+
+LEAST_ROOM = 24.0
+"""Of the bars of losses, where texts take nearly all, in pixels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +54,20 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
     most_gain, most_loss = (max(values) for values in zip(*both, strict=True))
     if most_gain + most_loss <= 0:
         return NOTHING
-    # Text of a loss stands left of its bar, so room is kept for it if there is any loss.
-    label_room = 52.0 if most_loss > 0 else 0.0
-    room = BARS_RIGHT - BARS_LEFT - label_room
+    # Texts are kept room for: of the net at the right, of a loss left of its bar, and of a gain,
+    # which begins on its bar and may reach beyond it.
+    right = BARS_END - _room([vehicle.text.saved for vehicle in vehicles], NET_DIGIT)
+    label_room = 0.0
+    if most_loss > 0:
+        label_room = max(
+            _room([one.text.detour for one in vehicles], DIGIT) + 5,
+            _room([say("bars.longer")], DIGIT) - BARS_LEFT,
+        )
+    gain_room = _room([one.text.gain for one in vehicles], DIGIT) + 6 if split else 0.0
+    room = right - BARS_LEFT - label_room
+    loss_share = most_loss / (most_gain + most_loss)
+    if loss_share * room > room - gain_room:
+        room = min(room, max(room - gain_room, LEAST_ROOM) / loss_share)
     per_pixel = (most_gain + most_loss) / room
     zero = BARS_LEFT + label_room + most_loss / per_pixel
     scale = _Scale(zero, per_pixel, split)
@@ -57,19 +75,21 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
         _bar_row(document, index, gain, loss, scale, 22 + BAR_ROW * place)
         for place, (index, (gain, loss)) in enumerate(zip(members, both, strict=True))
     ]
-    heads = [("372", "end", "net")]
+    heads = [("372", "end", say("bars.net"))]
     if split:
-        heads.append((f"{zero + 6:.1f}", "start", "gained in platoon"))
+        heads.append((f"{zero + 6:.1f}", "start", say("bars.gained")))
         if most_loss > 0:
-            heads.append((f"{zero - 6:.1f}", "end", "longer way"))
+            heads.append((f"{zero - 6:.1f}", "end", say("bars.longer")))
     else:
-        heads.append((f"{zero + 6:.1f}", "start", "saved"))
-    unit = document.cost_unit.label
+        heads.append((f"{zero + 6:.1f}", "start", say("bars.saved")))
+    title = say("bars.split" if split else "bars.plain", unit=document.cost_unit.label)
     return Piece(
         "bars",
         {
             "key": key,
-            "title": f"{'Gain in platoon, less the longer way' if split else 'Saving'}, {unit}",
+            "title": title,
+            "label": say("bars.label", title=title),
+            "note": Piece("bars-note") if split and most_gain > 0 else NOTHING,
             "height": 22 + BAR_ROW * len(vehicles) - 4,
             "zero": f"{zero:.1f}",
             "heads": tuple(
@@ -79,6 +99,11 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
             "rows": tuple(rows),
         },
     )
+
+
+def _room(texts: Sequence[str], letter: float) -> float:
+    """Return the width of the longest text, with a gap before it."""
+    return max(map(len, texts), default=0) * letter + 10
 
 
 def _gain_and_loss(vehicle: Vehicle, split: bool) -> tuple[float, float]:

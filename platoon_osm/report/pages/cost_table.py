@@ -8,9 +8,12 @@ from ..document.model import Document
 from ..document.model_vehicle import CostTexts
 from ..drawing.crowd import CROWD
 from ..markup.fragments import NOTHING, Piece, Tree
-from .page_pieces import badge, costs_of
+from .page_pieces import badge, costs_of, late_mark
 
-__all__ = ["cost_table", "overview"]
+__all__ = ["cost_table", "overview", "wide_sums"]
+
+MOST_LETTERS = 25
+"""Letters of three sums that leave room for a vehicle beside them on a phone."""
 
 
 def cost_table(
@@ -37,6 +40,8 @@ def cost_table(
         A table; that of a crowd is narrow and scrolls.
     """
     vehicles = [document.vehicles[index] for index in members]
+    # Where nobody drives in company, what it costs alone is what it costs.
+    cells, table = ("costs-cells", "table") if document.platoons else ("cost-cell", "table-alone")
     rows = []
     for index, vehicle in zip(members, vehicles, strict=True):
         facts = f"{vehicle.role_text}, {vehicle.length_text}"
@@ -55,20 +60,38 @@ def cost_table(
                     "origin": vehicle.origin.name,
                     "destination": vehicle.destination.name,
                     "facts": facts,
-                    **costs_of(vehicle.text, vehicle.saved),
+                    "late": late_mark(vehicle),
+                    "costs": Piece(cells, costs_of(vehicle.text, vehicle.saved)),
                 },
             )
         )
     return Piece(
-        "table",
+        table,
         {
             "rows": tuple(rows),
             "total": total,
             "label": label,
-            "density": " compact" if len(rows) > CROWD else "",
+            "density": (" compact" if len(rows) > CROWD else "") + wide_sums(text),
             **costs_of(text, sum(vehicle.saved for vehicle in vehicles)),
         },
     )
+
+
+def wide_sums(text: CostTexts) -> str:
+    """Return the class of a table whose sums are so long that they stand below their vehicle.
+
+    Parameters
+    ----------
+    text : CostTexts
+        The sum of all.
+
+    Returns
+    -------
+    str
+        Empty where they fit beside it.
+    """
+    letters = len(text.alone) + len(text.joint) + len(text.saved)
+    return " wide-sums" if letters > MOST_LETTERS else ""
 
 
 def overview(document: Document) -> Tree:

@@ -12,8 +12,9 @@ from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.flows import FlowDocument, Histogram, flow_document_of
 from ..document.model import Document
+from ..document.status import lateness
 from ..drawing.palette import FLOWS, GAIN, LOSS
-from ..language.speech import speaking
+from ..language.speech import number, say, speaking
 from ..maps.beside import shifted, simplified
 from ..maps.ground_paths import BEYOND, ground_piece, town_dots
 from ..maps.map_texts import placed_names
@@ -24,7 +25,7 @@ from ..maps.static_map import NARROW, static_texts, town_names
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, percent, true_minus
 from ..markup.still_page import PAGE_STYLES, still_page
-from .page_pieces import about, credit_lines, heading, opening, unit_note
+from .page_pieces import about, credit_lines, heading, late_mark, opening, unit_note
 
 __all__ = ["CLASSES", "flow_class", "write_flows"]
 
@@ -77,7 +78,6 @@ def write_flows(
 
 def _page(found: FlowDocument) -> str:
     document = found.document
-    alone = sum(len(group.vehicles) for group in document.groups if not group.is_platoon)
     rows = document.provenance.rows
     body = Piece(
         "flows",
@@ -87,18 +87,28 @@ def _page(found: FlowDocument) -> str:
             "keys": _keys(found.most),
             "credits": credit_lines(document),
             "heading": heading(document),
-            "histogram": _histogram(found.histogram),
-            "unit": document.cost_unit.label,
-            "platoons": _platoons(document),
-            "alone": Piece("flows-alone", {"count": alone}) if alone else NOTHING,
-            "unit_note": unit_note(document),
+            # Where nobody drives in company, nobody saves: there is nothing to list.
+            "histogram": _histogram(found.histogram) if document.platoons else NOTHING,
+            "platoons": Piece(
+                "flows-list",
+                {
+                    "unit": document.cost_unit.label,
+                    "rows": _platoons(document),
+                    "unit_note": unit_note(document),
+                },
+            )
+            if document.platoons
+            else NOTHING,
+            "alone": _alone(document),
             "about": about(
                 document,
                 tuple(Piece("about-row", {"label": label, "text": text}) for label, text in rows),
             ),
         },
     )
-    return still_page(document.title, body, (*PAGE_STYLES, "flows.css"), ("flows.js",))
+    # The script sorts and filters the list of platoons.
+    scripts = ("elements.js", "flows.js") if document.platoons else ()
+    return still_page(document.title, body, (*PAGE_STYLES, "flows.css"), scripts)
 
 
 def flow_class(vehicles: int, most: int) -> int:
@@ -138,8 +148,7 @@ def _map(found: FlowDocument) -> Piece:
         # Each direction lies on its own side of the road.
         path = "".join(path_data(shifted(points, width / 2)) for points in lines)
         colour = FLOWS[flow_class(flow.vehicles, found.most)]
-        number = flow.vehicles
-        text = f"{number} vehicle{'s' if number > 1 else ''}"
+        text = say("totals.vehicles", n=flow.vehicles)
         casings.append(Piece("flows-casing", {"path": path, "width": f"{width + 2:.1f}"}))
         roads.append(
             Piece(
@@ -151,7 +160,7 @@ def _map(found: FlowDocument) -> Piece:
         Piece(
             "flows-platoon",
             {
-                "number": number,
+                "number": rank,
                 "path": "".join(
                     path_data(simplified(view.pixels(part.line)))
                     for piece in document.platoons
@@ -160,7 +169,7 @@ def _map(found: FlowDocument) -> Piece:
                 ),
             },
         )
-        for number, group in enumerate(document.groups)
+        for rank, group in enumerate(document.groups)
         if group.is_platoon
     ]
     known = [view.pixels(line) for line in document.basemap.known]
@@ -175,7 +184,7 @@ def _map(found: FlowDocument) -> Piece:
         {
             "width": f"{view.width:g}",
             "height": f"{view.height:g}",
-            "title": f"Vehicles per road: {document.subtitle}",
+            "title": say("flows.map-title", what=document.subtitle),
             "ground": ground_piece(document, view, BEYOND),
             "towns": town_dots(document, view),
             "network": network,
@@ -194,29 +203,52 @@ def _keys(most: int) -> Tree:
     classes: dict[int, list[int]] = {}
     for vehicles in range(1, most + 1):
         classes.setdefault(flow_class(vehicles, most), []).append(vehicles)
-    for number, held in sorted(classes.items()):
+    for rank, held in sorted(classes.items()):
         low, high = held[0], held[-1]
         rows.append(
             Piece(
                 "flows-key",
                 {
-                    "colour": FLOWS[number],
+                    "colour": FLOWS[rank],
                     "width": f"{_width(high, most):.1f}",
-                    "text": f"{low}" if low == high else f"{low} to {high}",
+                    "text": number(low)
+                    if low == high
+                    else say("flows.range", low=number(low), high=number(high)),
                 },
             )
         )
     return tuple(rows)
 
 
+def _alone(document: Document) -> Tree:
+    """Return how many drive alone, and who of them is late."""
+    alone = [
+        document.vehicles[index]
+        for group in document.groups
+        if not group.is_platoon
+        for index in group.vehicles
+    ]
+    if not alone:
+        return NOTHING
+    late = ", ".join(lateness(alone))
+    return Piece(
+        "flows-alone",
+        {
+            "text": say("flows.alone", n=len(alone)),
+            "late": say("flows.late-alone", who=late) if late else "",
+        },
+    )
+
+
 def _platoons(document: Document) -> Tree:
     rows: list[Piece] = []
-    for number, group in enumerate(document.groups):
+    for rank, group in enumerate(document.groups):
         if not group.is_platoon:
             continue
         vehicles = [document.vehicles[index] for index in group.vehicles]
         before = sum(vehicle.solo_cost for vehicle in vehicles)
         saving = group.saved / before if before else 0.0
+        late = sum(vehicle.is_late for vehicle in vehicles)
         members = tuple(
             Piece(
                 "flows-member",
@@ -228,6 +260,7 @@ def _platoons(document: Document) -> Tree:
                     "origin": v.origin.name,
                     "destination": v.destination.name,
                     "saved": v.text.saved,
+                    "late": late_mark(v),
                 },
             )
             for v in vehicles
@@ -236,10 +269,13 @@ def _platoons(document: Document) -> Tree:
             Piece(
                 "flows-row",
                 {
-                    "number": number,
+                    "number": rank,
                     "name": group.name,
+                    "late": Piece("late-by", {"text": say("flows.late", n=late)})
+                    if late
+                    else NOTHING,
                     "count": len(vehicles),
-                    "km": f"{group.road_m / 1000:,.0f}",
+                    "km": number(group.road_m / 1000),
                     "km_value": f"{group.road_m:.0f}",
                     "saved": group.text.saved,
                     "saved_value": f"{group.saved:.6g}",
@@ -275,7 +311,7 @@ def _histogram(found: Histogram) -> Piece:
                     "middle": f"{LEFT + (place + 0.5) * width:.1f}",
                     "text_y": f"{BASE - height - 3:.1f}",
                     "colour": GAIN if low >= -1e-12 else LOSS,
-                    "text": f"{percent(low)} to {percent(high)}: {count} vehicles",
+                    "text": say("flows.bin", n=count, low=percent(low), high=percent(high)),
                 },
             )
         )
@@ -287,12 +323,13 @@ def _histogram(found: Histogram) -> Piece:
             "flows-edge",
             {
                 "x": f"{LEFT + k * width:.1f}",
-                "text": true_minus(f"{(first + k) * step * 100:.{decimals}f}"),
+                "text": true_minus(number((first + k) * step * 100, decimals)),
             },
         )
         for k in range(0, len(counts) + 1, every)
     ]
+    heading_text = say("flows.median", median=percent(found.median))
     return Piece(
         "flows-histogram",
-        {"bars": tuple(bars), "edges": tuple(edges), "base": BASE, "median": percent(found.median)},
+        {"bars": tuple(bars), "edges": tuple(edges), "base": BASE, "heading": heading_text},
     )

@@ -59,6 +59,8 @@ def _rows(document: Document) -> Iterator[Tree]:
             "legend-plain", {"swatch": Piece("swatch-access"), "text": say("legend.access")}
         )
     yield _row("ends", Piece("swatch-ends"), say("legend.ends"))
+    if any(vehicle.is_late for vehicle in vehicles):
+        yield Piece("legend-plain", {"swatch": Piece("swatch-late"), "text": say("legend.late")})
     kinds = {event.kind for event in document.events}
     if "merge" in kinds:
         yield _row("merge", Piece("swatch-merge"), say("legend.merges"))

@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 from html import escape
+from typing import NamedTuple
 
 from ...network.road_network import RoadNetwork
 from ...plans.credits import UNKNOWN_SOURCE
 from ...plans.plan import Plan
 from ...shown_text import fitted
 from ..document.checks import check_is_plan
+from ..document.model_vehicle import CostTexts, called
+from ..document.status import status
+from ..document.timeline import vehicle_day
 from ..document.vehicles import role_text
-from ..markup.fragments import Piece, written
-from ..markup.quantities import cost_unit, kilometres, percent, signed
+from ..document.wording import cost_texts, plan_unit
+from ..drawing.vehicle_styles import vehicle_styles
+from ..language.speech import number, say
+from ..markup.fragments import Piece, Tree, written
+from ..markup.quantities import kilometres
 
 __all__ = ["network_table", "plan_table"]
 
@@ -34,12 +41,15 @@ def network_table(net: RoadNetwork) -> str:
     source = net.source
     credit = ", ".join(fitted(text) for text in (source.attribution, source.licence) if text)
     rows = (
-        ("Nodes", f"{net.n:,}"),
-        ("Edges", f"{net.m:,}"),
-        ("Road", f"{net.length_m.sum() / 1000:,.0f} km"),
-        ("Data of", fitted(source.extracted)),
-        ("Credits", credit or UNKNOWN_SOURCE),
-        *(("Note", fitted(remark)) for remark in net.load_report.remarks[:MOST_NOTES]),
+        (say("notebook.nodes"), number(net.n)),
+        (say("notebook.edges"), number(net.m)),
+        (say("notebook.road"), kilometres(float(net.length_m.sum()))),
+        (say("about.data-of"), fitted(source.extracted)),
+        (say("notebook.credits"), credit or UNKNOWN_SOURCE),
+        *(
+            (say("notebook.note"), fitted(remark))
+            for remark in net.load_report.remarks[:MOST_NOTES]
+        ),
     )
     cells = "".join(
         f"<tr><th>{escape(label)}</th><td>{escape(text)}</td></tr>" for label, text in rows if text
@@ -66,37 +76,83 @@ def plan_table(plan: Plan) -> str:
         Not a plan.
     """
     check_is_plan(plan)
-    unit = cost_unit(plan.unit)
+    unit, vehicles = plan_unit(plan), plan.vehicles
+    styles = vehicle_styles([one.vehicle for one in vehicles])
+    names = [
+        called(style.letter, "" if name == style.letter else name)
+        for style, name in zip(styles, (fitted(one.vehicle) for one in vehicles), strict=True)
+    ]
+    days = [vehicle_day(plan, index) for index in range(len(vehicles))]
+    together = any(stretch.together for stretch in plan.stretches)
+    late = ["" if day is None else day.text.late for day in days]
+    shown = _Columns(together, any(late))
     rows = [
         Piece(
             "notebook-row",
             {
-                "vehicle": fitted(vehicle.vehicle),
-                "origin": fitted(vehicle.origin.name),
-                "destination": fitted(vehicle.destination.name),
-                "role": role_text(vehicle.role),
-                "length": kilometres(vehicle.length_m),
-                "platoon": kilometres(vehicle.platoon_m),
-                "alone": unit.bare(vehicle.solo_cost),
-                "joint": unit.bare(vehicle.joint_cost),
-                "share": signed(percent(vehicle.saving)),
+                "vehicle": name,
+                "origin": fitted(one.origin.name),
+                "destination": fitted(one.destination.name),
+                "role": role_text(one.role),
+                "cells": shown.cells(
+                    kilometres(one.length_m),
+                    kilometres(one.platoon_m),
+                    cost_texts(one.solo_cost, one.joint_cost, unit),
+                    by,
+                ),
             },
         )
-        for vehicle in plan.vehicles
+        for name, one, by in zip(names, vehicles, late, strict=True)
     ]
     return written(
         Piece(
             "notebook-table",
             {
-                "case": fitted(plan.case),
-                "network": fitted(plan.network.name),
-                "unit": unit.label,
+                "status": tuple(
+                    Piece("notebook-status", {"text": one.text})
+                    for one in status(names, days, together)
+                ),
+                "caption": say(
+                    "notebook.caption",
+                    case=fitted(plan.case),
+                    network=fitted(plan.network.name),
+                    unit=unit.label,
+                ),
+                "heads": shown.heads(),
                 "rows": tuple(rows),
-                "length": kilometres(sum(vehicle.length_m for vehicle in plan.vehicles)),
-                "platoon": kilometres(plan.platoon_m),
-                "alone": unit.bare(plan.solo_cost),
-                "joint": unit.bare(plan.joint_cost),
-                "share": signed(percent(plan.saving)),
+                "totals": shown.cells(
+                    kilometres(sum(one.length_m for one in vehicles)),
+                    kilometres(plan.platoon_m),
+                    cost_texts(plan.solo_cost, plan.joint_cost, unit),
+                    "",
+                ),
             },
         )
     )
+
+
+class _Columns(NamedTuple):
+    """Which columns a table has: no platoon where there is none, lateness where somebody is."""
+
+    together: bool
+    late: bool
+
+    def heads(self) -> Tree:
+        keys = ["table.vehicle", "notebook.way", "notebook.role", "notebook.length"]
+        if self.together:
+            keys += ["notebook.platoon", "table.alone", "table.joint", "table.saving"]
+        else:
+            keys += ["table.cost"]
+        if self.late:
+            keys += ["notebook.late"]
+        return tuple(Piece("notebook-head", {"text": say(key)}) for key in keys)
+
+    def cells(self, length: str, platoon: str, costs: CostTexts, late: str) -> Tree:
+        texts = [length]
+        if self.together:
+            texts += [platoon, costs.alone, costs.joint, costs.share]
+        else:
+            texts += [costs.joint]
+        if self.late:
+            texts += [late]
+        return tuple(Piece("notebook-cell", {"text": text}) for text in texts)

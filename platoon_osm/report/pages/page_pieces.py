@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
-from ..document.model import Document, Figure
+from ..document.model import Document, Figure, Status
 from ..document.model_vehicle import CostTexts, Vehicle
+from ..language.speech import say
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss
 
@@ -18,7 +19,9 @@ __all__ = [
     "figures",
     "heading",
     "items",
+    "late_mark",
     "opening",
+    "status_lines",
     "unit_note",
 ]
 
@@ -40,7 +43,7 @@ def opening(document: Document) -> Piece:
 
 
 def heading(document: Document) -> Piece:
-    """Return title, subtitle and figures.
+    """Return title, subtitle, what a reader should know first, and figures.
 
     Parameters
     ----------
@@ -57,9 +60,44 @@ def heading(document: Document) -> Piece:
         {
             "title": document.title,
             "subtitle": document.subtitle,
+            "status": status_lines(document.status),
             "figures": figures(document.totals.figures),
         },
     )
+
+
+def status_lines(found: Iterable[Status]) -> Tree:
+    """Return what a reader should know of a plan first.
+
+    Parameters
+    ----------
+    found : iterable of Status
+        Of the document.
+
+    Returns
+    -------
+    Tree
+        A line each.
+    """
+    return tuple(Piece("status", {**asdict(one)}) for one in found)
+
+
+def late_mark(vehicle: Vehicle) -> Tree:
+    """Return by how much a vehicle is late.
+
+    Parameters
+    ----------
+    vehicle : Vehicle
+        Of the document.
+
+    Returns
+    -------
+    Tree
+        In a few words; nothing if it is in time.
+    """
+    if not vehicle.is_late:
+        return NOTHING
+    return Piece("late-by", {"text": say("script.mark-late", time=vehicle.day.text.late)})
 
 
 def figures(found: Iterable[Figure]) -> Tree:
@@ -169,10 +207,15 @@ def about(document: Document, rows: Tree, remarks: Sequence[str] = ()) -> Piece:
         Proof, rows, remarks and credits.
     """
     provenance = document.provenance
+    proof: Tree = NOTHING
+    if provenance.proof:
+        # The cheapest of plans is no success if somebody is late.
+        late = any(vehicle.is_late for vehicle in document.vehicles)
+        proof = Piece("proof", {"text": provenance.proof, "kind": "plain" if late else "good"})
     return Piece(
         "about",
         {
-            "proof": Piece("proof", {"text": provenance.proof}) if provenance.proof else NOTHING,
+            "proof": proof,
             "rows": rows,
             "remarks": Piece("remarks", {"items": items(remarks)}) if remarks else NOTHING,
             "credit_items": items(provenance.credits),

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from ..charts.along_chart import along_chart
 from ..charts.driving_note import driving_note
 from ..charts.fatigue_chart import fatigue_chart
-from ..charts.schedule_chart import late_note, schedule_chart
+from ..charts.schedule_chart import schedule_chart
 from ..charts.time_distance_chart import time_distance_chart
 from ..charts.waiting_bars import waiting_bars
 from ..document.model import Document, Group
@@ -18,7 +18,7 @@ from ..language.speech import say
 from ..maps.static_map import static_map
 from ..markup.fragments import NOTHING, Piece, Tree
 from .cost_bars import cost_bars
-from .cost_table import cost_table, overview
+from .cost_table import cost_table, overview, wide_sums
 from .legend import legend
 from .page_pieces import about, badge, costs_of, credit_lines, heading, opening, unit_note
 
@@ -78,15 +78,20 @@ def _vehicles(document: Document) -> Piece:
     """Return table, bars, way and events: at once for one small group, else group by group."""
     groups, every = document.groups, range(len(document.vehicles))
     unit, note, totals = document.cost_unit.label, unit_note(document), document.totals
+    unit_heading = say("page.unit-heading" if document.platoons else "page.cost-heading")
     if len(every) <= CROWD and sum(group.is_platoon for group in groups) <= 1:
         parts = _parts(document, every, (say("table.all"), totals.text, say("table.costs")))
-        return Piece("one-group", {"unit": unit, "unit_note": note, **parts})
+        return Piece(
+            "one-group", {"unit_heading": unit_heading, "unit": unit, "unit_note": note, **parts}
+        )
     return Piece(
         "groups",
         {
+            "unit_heading": unit_heading,
             "unit": unit,
             "unit_note": note,
             "overview": overview(document),
+            "wide": wide_sums(totals.text),
             "groups": tuple(_group(document, number, group) for number, group in enumerate(groups)),
             **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
         },
@@ -175,7 +180,7 @@ def _notes(document: Document) -> Tree:
         alone = vehicle.role == "alone"
         if alone or vehicle.reason:
             alike.setdefault((alone, vehicle.reason), []).append(vehicle)
-    notes: list[Piece] = late_note(document)
+    notes: list[Piece] = []
     for (alone, reason), vehicles in alike.items():
         lead = ", ".join(vehicle.letter for vehicle in vehicles)
         if alone:

@@ -1,0 +1,80 @@
+"""What a reader should know of a plan first: who is late, or that all are in time, or alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ..language.speech import late_by, number, say
+from .model import Status
+from .model_day import VehicleDay
+from .model_vehicle import Vehicle
+from .wording import MOST_NAMED, joined
+
+__all__ = ["lateness", "status"]
+
+
+def status(
+    called: Sequence[str], days: Sequence[VehicleDay | None], platoon: bool
+) -> Iterator[Status]:
+    """Yield what heads the page, in a line each.
+
+    Parameters
+    ----------
+    called : sequence of str
+        What each vehicle is called.
+    days : sequence of VehicleDay or None
+        When each drives; None without times.
+    platoon : bool
+        Whether anybody drives in company.
+
+    Yields
+    ------
+    Status
+        Lateness, or that all are in time where latest arrivals were named; and that nobody drives
+        in platoon, if so.
+    """
+    known = [(who, day) for who, day in zip(called, days, strict=True) if day is not None]
+    if late := [(who, day) for who, day in known if day.is_late]:
+        yield Status("bad", "; ".join((_late(late, len(called)), *_alone(late))))
+    elif any(day.latest_arrival_s is not None for _, day in known):
+        yield Status("good", say("status.in-time", n=len(called)))
+    if not platoon:
+        yield Status("plain", say("status.no-platoon", n=len(called)))
+
+
+def _late(late: Sequence[tuple[str, VehicleDay]], every: int) -> str:
+    """Return how many are late, and by how much at most."""
+    most = late_by(max(day.late_s for _, day in late))
+    return say("status.late", n=len(late), all=number(every), most=most)
+
+
+def _alone(late: Sequence[tuple[str, VehicleDay]]) -> Iterator[str]:
+    """Yield who would be late even alone; if nobody would, that."""
+    even_alone = [who for who, day in late if day.late_alone_s]
+    if len(even_alone) == len(late):
+        yield say("status.all-even-alone", n=len(late))
+    elif even_alone:
+        yield say("status.even-alone", n=len(even_alone), who=joined(even_alone))
+    elif all(day.late_alone_s is not None for _, day in late):
+        yield say("status.in-time-alone", n=len(late))
+
+
+def lateness(vehicles: Sequence[Vehicle]) -> Iterator[str]:
+    """Yield who of some vehicles that end at one place is late, and by how much.
+
+    Parameters
+    ----------
+    vehicles : sequence of Vehicle
+        Of the document.
+
+    Yields
+    ------
+    str
+        Of a lone vehicle how late it is; of several also who; of many, how many more are late.
+    """
+    late = [vehicle for vehicle in vehicles if vehicle.is_late]
+    for vehicle in late[:MOST_NAMED]:
+        text = say("script.mark-late", time=vehicle.day.text.late)
+        yield f"{vehicle.called}: {text}" if len(vehicles) > 1 else text
+    if len(late) > MOST_NAMED:
+        yield say("status.more-late", n=len(late) - MOST_NAMED)
