@@ -6,11 +6,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.report.drawing.basemap import basemap_lines, network_lines, route_line
+from platoon_osm.report.drawing.basemap import basemap_lines, metre_scale, network_lines, route_line
 from platoon_osm.report.drawing.lines import Line, Lines
 from platoon_osm.report.drawing.polyline import decode_lines, decode_polyline, encode_polyline
 from platoon_osm.report.maps.placement import SOLID, Box, Cover
@@ -18,6 +19,9 @@ from platoon_osm.report.markup.leaflet import load_leaflet
 from platoon_osm.shown_text import shown
 
 COORDINATE = st.tuples(st.floats(-180, 180), st.floats(-85, 85))
+
+
+EVERYWHERE = (-180.0, -90.0, 180.0, 90.0)
 
 
 @given(st.lists(COORDINATE, min_size=2, max_size=40))
@@ -83,9 +87,32 @@ def test_simplified_lines_keep_to_the_road(net: RoadNetwork) -> None:
         assert shapely.distance(ends, exact).max() < 1e-6
 
 
+def test_far_roads_are_drawn_coarsely(net: RoadNetwork) -> None:
+    """Near a plan to 20 m, elsewhere to 150 m more; ends stay where they are."""
+    scale = metre_scale(net)
+    whole = network_lines(net, EVERYWHERE, inferred=False)
+    far = network_lines(net, (0.0, 0.0, 1.0, 1.0), inferred=False)
+    middle = (9.0, 44.0, 10.0, 46.0)
+    mixed = network_lines(net, middle, inferred=False)
+    assert len(far.encoded()) < len(mixed.encoded()) < len(whole.encoded())
+    for lines in (far, mixed):
+        for coarse, fine in zip(sorted_lines(lines), sorted_lines(whole), strict=True):
+            assert coarse[0] == fine[0]
+            assert coarse[-1] == fine[-1]
+            near = shapely.LineString(np.array(coarse) * scale)
+            assert shapely.distance(shapely.points(np.array(fine) * scale), near).max() < 165
+            west, south, east, north = shapely.LineString(fine).bounds
+            if lines is mixed and west <= 10 and east >= 9 and south <= 46 and north >= 44:
+                assert coarse == fine
+
+
+def sorted_lines(lines: Lines) -> list[list[tuple[float, float]]]:
+    return sorted((line.degrees() for line in lines), key=lambda line: (line[0], line[-1], line[1]))
+
+
 def test_no_lines_of_nothing(net: RoadNetwork) -> None:
     assert route_line(net, ()).encoded() == ""
-    assert network_lines(net, inferred=False).encoded()
+    assert network_lines(net, EVERYWHERE, inferred=False).encoded()
     assert basemap_lines(net, np.zeros(0, np.int64), 20.0) == []
 
 

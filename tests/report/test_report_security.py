@@ -60,7 +60,7 @@ def test_markup_of_the_file_is_ours(
     assert "49" not in re.findall(r"<h1 [^>]*>(.*)</h1>", hostile)[0]
     data = re.search(r'id="plan-data">(.*?)</script>', hostile, re.S)
     assert data is not None
-    assert json.loads(data.group(1))["towns"][0][2].startswith("Milano")
+    assert json.loads(data.group(1))["towns"]["names"].startswith("Milano")
 
 
 @pytest.mark.parametrize("name", HOSTILE[::3], ids=range(0, len(HOSTILE), 3))

@@ -3,7 +3,14 @@
 const planScene = () => {
 
 const { decoded } = planLines;
-const plan = JSON.parse(document.getElementById("plan-data").textContent);
+/* Places, which a page holds as one line of points and one text of names, as the document has them. */
+const places = ({ at, names, ranks }) => {
+  const named = names.split("\n");
+  return decoded(at, 1).map(([lat, lon], i) =>
+    ranks ? [lon, lat, named[i], Number(ranks[i])] : [lon, lat, named[i]]);
+};
+const data = JSON.parse(document.getElementById("plan-data").textContent);
+const plan = { ...data, towns: places(data.towns), junctions: places(data.junctions) };
 const map = window.map_plan;
 const frame = map.getContainer();
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)");

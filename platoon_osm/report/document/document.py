@@ -26,6 +26,7 @@ from .map_lines import inferred_routes, platoon_line, solo_line
 from .model import CostLabel, Document
 from .model_map import Basemap
 from .place_labels import junction_labels
+from .plan_frame import plan_frame
 from .provenance import provenance
 from .status import status
 from .surroundings import surroundings
@@ -138,6 +139,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
     vehicles = tuple(vehicle(found, index) for index in range(len(plan.vehicles)))
     stops = [(s.lon, s.lat) for one in vehicles for s in (one.origin, one.destination)]
     around = surroundings(net, stops)
+    near = plan_frame(found)
     return Document(
         format="platoon_osm report",
         version=DOCUMENT_VERSION,
@@ -164,8 +166,10 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         schedule=timeline(plan),
         inferred_routes=tuple(inferred_routes(found)),
         towns=around.towns,
-        junctions=junction_labels(net),
-        basemap=Basemap(network_lines(net, inferred=False), network_lines(net, inferred=True)),
+        junctions=junction_labels(net, near),
+        basemap=Basemap(
+            network_lines(net, near, inferred=False), network_lines(net, near, inferred=True)
+        ),
         ground=around.ground,
         provenance=around.told_in(provenance(plan, net, found.unit)),
         levels=found.levels,

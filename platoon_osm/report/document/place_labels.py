@@ -7,7 +7,7 @@ import numpy as np
 from ...network.geodesy import distance_m
 from ...network.road_network import POINT_KINDS, RoadNetwork
 from ...shown_text import shortened, shown
-from ..drawing.basemap import BASEMAP_STEPS
+from ..drawing.basemap import BASEMAP_STEPS, Frame
 from .model_map import JunctionLabel, TownLabel
 
 __all__ = ["junction_labels", "town_labels"]
@@ -53,13 +53,15 @@ def town_labels(net: RoadNetwork) -> tuple[TownLabel, ...]:
     )
 
 
-def junction_labels(net: RoadNetwork) -> tuple[JunctionLabel, ...]:
+def junction_labels(net: RoadNetwork, near: Frame) -> tuple[JunctionLabel, ...]:
     """Return signed junctions; one with an exit number alone is named by it.
 
     Parameters
     ----------
     net : RoadNetwork
         Whose nodes are named.
+    near : Frame
+        The part of it whose junctions are told.
 
     Returns
     -------
@@ -68,7 +70,9 @@ def junction_labels(net: RoadNetwork) -> tuple[JunctionLabel, ...]:
     """
     rows: list[tuple[int, str, float, float]] = []
     kept: dict[str, list[tuple[float, float]]] = {}
-    for node in np.flatnonzero((net.node_name != 0) | (net.node_ref != 0)):
+    west, south, east, north = near
+    inside = (net.lon >= west) & (net.lon <= east) & (net.lat >= south) & (net.lat <= north)
+    for node in np.flatnonzero(inside & ((net.node_name != 0) | (net.node_ref != 0))):
         name = shown(net.junction_name(int(node)) or net.texts[int(net.node_ref[node])])
         lon, lat = float(net.lon[node]), float(net.lat[node])
         same = kept.setdefault(name, [])

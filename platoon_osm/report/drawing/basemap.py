@@ -15,8 +15,10 @@ from .lines import Line, Lines
 __all__ = [
     "BASEMAP_STEPS",
     "BASEMAP_TOLERANCE_M",
+    "FAR_TOLERANCE_M",
     "ROUTE_STEPS",
     "ROUTE_TOLERANCE_M",
+    "Frame",
     "basemap_lines",
     "metre_scale",
     "network_lines",
@@ -29,17 +31,25 @@ BASEMAP_STEPS = 10_000
 ROUTE_STEPS = 100_000
 """Steps per degree of routes: 1 m, so that a reader may zoom in on a junction."""
 
+Frame = tuple[float, float, float, float]
+"""West, south, east and north in degrees."""
+
 BASEMAP_TOLERANCE_M = 20.0
+FAR_TOLERANCE_M = 150.0
+"""Of roads far from a plan, which are seen from afar only: half the text, and a pixel there."""
+
 ROUTE_TOLERANCE_M = 8.0
 
 
-def network_lines(net: RoadNetwork, *, inferred: bool) -> Lines:
+def network_lines(net: RoadNetwork, near: Frame, *, inferred: bool) -> Lines:
     """Return the network as a background.
 
     Parameters
     ----------
     net : RoadNetwork
         What is drawn.
+    near : Frame
+        The part of it that is looked at closely; lines wholly outside follow their road coarsely.
     inferred : bool
         Whether the roads that the loader inferred are meant, or those known from the map.
 
@@ -48,8 +58,21 @@ def network_lines(net: RoadNetwork, *, inferred: bool) -> Lines:
     Lines
         Simplified, joined and rounded.
     """
+    import shapely
+
     chosen = np.flatnonzero(net.inferred if inferred else ~net.inferred)
-    return Lines.rounded(basemap_lines(net, chosen, BASEMAP_TOLERANCE_M), BASEMAP_STEPS)
+    west, south, east, north = near
+    scale = metre_scale(net)
+
+    def drawn(line: NDArray[np.float64]) -> NDArray[np.float64]:
+        (low_lon, low_lat), (high_lon, high_lat) = line.min(axis=0), line.max(axis=0)
+        if low_lon <= east and high_lon >= west and low_lat <= north and high_lat >= south:
+            return line
+        coarse = shapely.simplify(shapely.linestrings(line * scale), FAR_TOLERANCE_M)
+        return np.asarray(shapely.get_coordinates(coarse) / scale)
+
+    lines = basemap_lines(net, chosen, BASEMAP_TOLERANCE_M)
+    return Lines.rounded(map(drawn, lines), BASEMAP_STEPS)
 
 
 def route_line(net: RoadNetwork, edges: tuple[int, ...]) -> Line:

@@ -72,9 +72,9 @@ def load_leaflet(directory: str | os.PathLike[str] | None = None) -> Leaflet:
     files = {name: _read(root, name, remedy) for name in SHA256}
     # Its images serve its own layer control and marker, which the page does not use.
     style = re.sub(r"url\(images/[\w.-]+\)", "none", files["leaflet.css"].decode())
-    # No text in it runs over a line end, so comments and indents can go, as from our own.
-    style = re.sub(r"/\*.*?\*/", "", style, flags=re.DOTALL)
-    style = re.sub(r"\s*\n\s*", "\n", style).strip() + "\n"
+    import rcssmin
+
+    style = rcssmin.cssmin(style).strip() + "\n"
     # The map of the minified source is not carried along, so nothing must ask for it.
     script = re.sub(r"\n//# sourceMappingURL=.*", "", files["leaflet.js"].decode())
     return Leaflet(script=script.strip() + "\n", style=style)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from ..document.as_json import as_json
 from ..document.model import Document
 from ..language.speech import speaking
 from ..markup.fragments import Piece, asset, compact_asset, page_texts, written_page
 from ..markup.leaflet import Leaflet
-from ..markup.security import json_for_html, policy
+from ..markup.security import policy
 from ..markup.still_page import PAGE_STYLES
 from .online_map import Tiles
+from .page_data import page_data
 from .panel import page_body
 
 __all__ = ["SCRIPTS", "PageParts"]
@@ -106,7 +106,7 @@ class PageParts:
             body=body,
             extra=extra,
             texts=page_texts(),
-            data=json_for_html({**as_json(self.document), "tiles": as_json(tiles)}),
+            data=page_data(self.document, tiles),
             leaflet_script=scripts[0],
             script=scripts[1],
         )

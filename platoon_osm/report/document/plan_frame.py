@@ -1,0 +1,37 @@
+"""The part of the world round a plan, in which a map is looked at closely."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..drawing.basemap import Frame
+from .findings import Findings
+
+__all__ = ["plan_frame"]
+
+LEAST_MARGIN = 0.6
+"""Degrees round a plan, at least: 40 to 70 km."""
+
+
+def plan_frame(found: Findings) -> Frame:
+    """Return the frame of all routes of a plan, with half as much on each side.
+
+    Parameters
+    ----------
+    found : Findings
+        Of the plan.
+
+    Returns
+    -------
+    Frame
+        West, south, east and north in degrees.
+    """
+    net = found.net
+    edges = np.unique([edge for one in found.plan.stretches for edge in one.edges])
+    nodes = np.append(net.tail[edges.astype(np.int64)], net.head[edges.astype(np.int64)])
+    stops = [stop for one in found.plan.vehicles for stop in (one.origin, one.destination)]
+    lon = [*net.lon[nodes].tolist(), *(stop.lon for stop in stops)]
+    lat = [*net.lat[nodes].tolist(), *(stop.lat for stop in stops)]
+    wide = max(LEAST_MARGIN, (max(lon) - min(lon)) / 2)
+    high = max(LEAST_MARGIN, (max(lat) - min(lat)) / 2)
+    return (min(lon) - wide, min(lat) - high, max(lon) + wide, max(lat) + high)

@@ -1,0 +1,52 @@
+"""The document as it stands in a page: hundreds of named places are written short.
+
+The script of the page puts them back (scene.js), so that it works on the document as
+docs/report.md has it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..document.as_json import as_json
+from ..document.model import Document
+from ..document.model_map import JunctionLabel, TownLabel
+from ..drawing.polyline import encode_steps
+from ..markup.security import json_for_html
+from .online_map import Tiles
+
+__all__ = ["page_data"]
+
+
+def page_data(document: Document, tiles: Tiles | None) -> str:
+    """Return what the script of a page reads.
+
+    Parameters
+    ----------
+    document : Document
+        What is shown.
+    tiles : Tiles or None
+        An online map underneath.
+
+    Returns
+    -------
+    str
+        JSON that cannot end the element it stands in.
+    """
+    return json_for_html(
+        {
+            **as_json(document),
+            "towns": _packed(document.towns, "".join(str(town.rank) for town in document.towns)),
+            "junctions": _packed(document.junctions),
+            "tiles": as_json(tiles),
+        }
+    )
+
+
+def _packed(labels: Sequence[TownLabel | JunctionLabel], ranks: str = "") -> dict[str, str]:
+    """Return places as an encoded line, with their names a line each: a name has no line end."""
+    points = np.array([(label.lon, label.lat) for label in labels], np.int64).reshape(-1, 2)
+    names = "\n".join(label.name for label in labels)
+    return {"at": encode_steps(points), "names": names, "ranks": ranks}
