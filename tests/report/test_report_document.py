@@ -105,9 +105,7 @@ def test_nobody_in_platoon(net: RoadNetwork) -> None:
     )
     document = report_document(plan, net)
     assert document["subtitle"] == "2 vehicles"
-    assert [one["text"] for one in document["status"]] == [
-        "No platoon: all vehicles drive alone"
-    ]
+    assert [one["text"] for one in document["status"]] == ["No platoon: all vehicles drive alone"]
     assert document["platoons"] == []
     assert document["events"] == []
 

@@ -21,12 +21,12 @@ from platoon_osm.report.drawing import lines, polyline
 
 ONCE = {
     findings: [
-        "check_plan", "check_styles", "with_alone_costs", "cost_unit", "vehicle_styles",
+        "check_plan", "check_styles", "with_alone_costs", "plan_unit", "vehicle_styles",
         "opposite_gaps", "platoon_parts", "solo_parts", "journey",
     ],
     one_pass: [
         "find", "title_of", "subtitle_of", "totals", "groups", "timeline", "inferred_routes",
-        "surroundings", "junction_labels", "provenance",
+        "surroundings", "plan_frame", "junction_labels", "provenance",
     ],
 }  # fmt: skip
 
