@@ -1,10 +1,9 @@
-"""Budgets on a network of 20,000 edges, accessibility of every page, and contrast of colours."""
+"""Budgets on a network of 20,000 edges, every control by keyboard, and contrast of colours."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from importlib.resources import files
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -103,25 +102,6 @@ def pages(
     write_comparison([plan, plan], net, made["comparison"], titles=["One", "Two"])
     write_flows(two, net, made["flows"])
     return made
-
-
-@browser
-@pytest.mark.parametrize("width", [1440, 390])
-@pytest.mark.parametrize("name", ["plan", "two", "comparison", "flows"])
-def test_axe_finds_no_serious_fault(
-    name: str, width: int, pages: dict[str, Path], visit: Visit
-) -> None:
-    pytest.importorskip("axe_playwright_python")
-    opened = visit(pages[name], width, 900, wait_for="h1")
-    page = opened.page
-    page.evaluate((files("axe_playwright_python") / "axe.min.js").read_text("utf-8"))
-    found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")
-    faults = [
-        (fault["id"], fault["impact"], [node["html"][:120] for node in fault["nodes"][:3]])
-        for fault in found["violations"]
-        if fault["impact"] in ("serious", "critical")
-    ]
-    assert faults == []
 
 
 @browser
