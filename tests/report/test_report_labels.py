@@ -91,6 +91,16 @@ def test_names_of_still_maps_keep_off_the_routes(scale: float) -> None:
         assert 0 <= box.top <= box.bottom <= view.height
 
 
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("scale", [1.0, 1.75])
+def test_marks_of_small_maps_are_whole(kind: str, scale: float) -> None:
+    found = document(kind)
+    view = MapView([found], 640.0, (400.0, 400.0), margin=26.0)
+    for mark in placed_marks(found, view, scale, counted=True):
+        assert 0 <= mark.box.left <= mark.box.right <= view.width
+        assert 0 <= mark.box.top <= mark.box.bottom <= view.height
+
+
 def test_still_maps_tell_who_is_late() -> None:
     late = placed_marks(document("all are late"), MapView([document("all are late")]))
     assert [mark.is_late for mark in late if mark.kind == "end"] == [True, True, True]

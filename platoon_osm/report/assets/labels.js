@@ -85,7 +85,10 @@ const NEAR_PX = 22;
 
 /* The leader from a point to its box; null where the box is near enough to do without. */
 function leaderOf(at, { x, y, w, h }) {
-  const near = L.point(Math.min(Math.max(at.x, x + 6), x + w - 6), Math.min(Math.max(at.y, y), y + h));
+  // Not at a round corner, but not under the box either.
+  const inset = at.y >= y && at.y <= y + h ? 0 : 6;
+  const near = L.point(
+    Math.min(Math.max(at.x, x + inset), x + w - inset), Math.min(Math.max(at.y, y), y + h));
   return near.distanceTo(at) > NEAR_PX ? [at, near] : null;
 }
 

@@ -196,6 +196,9 @@ function spread() {
   const taken = [];
   const ties = map.getPane("ties");
   ties.replaceChildren();
+  const [low, { x: wide, y: tall }] = [map.containerPointToLayerPoint([0, 0]), map.getSize()];
+  const inside = ({ x, y }, edge) => x >= low.x + edge && y >= low.y + edge &&
+    x <= low.x + wide - edge && y <= low.y + tall - edge;
   const shrink = crowd && frame.clientWidth < 600 ? 0.8 : 1;
   for (const one of marks) {
     const { made } = one;
@@ -206,7 +209,10 @@ function spread() {
     const places = fan.map(([x, y]) => at.add([x * (size - 3), y * (size - 3)]));
     const free = (spot) =>
       taken.every((p) => Math.abs(p.x - spot.x) > size - 5 || Math.abs(p.y - spot.y) > size - 5);
-    const place = places.find(free) ?? at;
+    // What belongs into the view stays in it.
+    const seen = inside(at, 0);
+    const place = places.find((spot) => free(spot) && (!seen || inside(spot, size / 2))) ??
+      places.find(free) ?? at;
     taken.push(place);
     one.box = { x: place.x - size / 2, y: place.y - size / 2, w: size, h: size };
     icon.style.width = `${size}px`;

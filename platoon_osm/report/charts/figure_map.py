@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..document.model import Document
 from ..drawing.lines import Point
-from ..drawing.palette import FRAME, INK, MUTED, NETWORK, PAPER, PLATOON, PLATOON_CASING
+from ..drawing.palette import FRAME, INK, LATE, MUTED, NETWORK, PAPER, PLATOON, PLATOON_CASING
 from ..drawing.vehicle_styles import letter_size
 from ..maps.beside import simplified
 from ..maps.lanes import band_lines, band_width
@@ -114,6 +114,18 @@ class _Drawing:
             mark.x, mark.y, mark.letter, float(letter_size(mark.letter)), PAPER,
             weight="bold", zorder=MARKS,
         )  # fmt: skip
+
+        if mark.is_late:
+            self._badge(mark.x + 9.5, mark.y - 9)
+
+    def _badge(self, x: float, y: float) -> None:
+        """Draw what tells that someone arrives too late."""
+        from matplotlib.patches import Circle
+
+        rim = self.points(1.2)
+        badge = Circle((x, y), 5.6, facecolor=LATE, edgecolor=PAPER, linewidth=rim, zorder=MARKS)
+        self.axes.add_patch(badge)
+        self.text(x, y, "!", 9.5, PAPER, weight="bold", zorder=MARKS)
 
     def _face(self, mark: Mark, is_round: bool, half: float, colour: str, rim: str) -> None:
         from matplotlib.patches import Circle, FancyBboxPatch

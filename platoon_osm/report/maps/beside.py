@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..drawing.lines import Point
+from .rounding import STEP, Ramps, arcs_of, rounded, samples
 
 __all__ = ["TOLERANCE", "laid", "laid_beside", "shifted", "simplified"]
 
@@ -29,12 +30,6 @@ TOLERANCE = 0.6
 
 ROUNDING = 2.0
 """How far to either side a road is rounded, in reaches of the outermost line beside it."""
-
-STEP = 2.0
-"""Between points of a rounded road, in pixels."""
-
-RAMP, LEAST_RAMP = 2.5, 12.0
-"""Half the length of a move aside, in widths of the move, and in pixels."""
 
 LOOP, LEAST_LOOP = 10.0, 24.0
 """Longest loop that is cut off, in measures aside, and in pixels."""
@@ -120,42 +115,15 @@ def laid_beside(roads: Sequence[Road], offsets: Sequence[float]) -> list[list[Po
     reaches = [max(abs(aside + offset) for offset in offsets) for aside in asides]
     if len(road) < 2 or not max(reaches, default=0.0):
         return [_points(road) for _ in offsets]
-    arcs = _arcs(road)
-    ramps = _Ramps(arcs[borders], asides)
+    arcs = arcs_of(road)
+    ramps = Ramps(arcs[borders], asides)
     reach = min(ROUNDING, arcs[-1] / max(reaches))
     rounding = [reach * one for one in reaches]
-    at = _samples(arcs, ramps, rounding)
+    at = samples(arcs, ramps, rounding)
     half = ramps.along(at, rounding)
-    middle, normals, owner = _with_normals(_rounded(road, arcs, at, half))
+    middle, normals, owner = _with_normals(rounded(road, arcs, at, half))
     aside = ramps.along(at, asides)[owner]
     return [_points(_beside(middle, normals, aside + offset)) for offset in offsets]
-
-
-class _Ramps:
-    """What changes from road to road, with gentle ramps between.
-
-    Parameters
-    ----------
-    borders : array of float, (k - 1,)
-        Where one road ends and the next begins, in pixels from the start.
-    asides : sequence of float, k
-        How far aside each road's line lies.
-    """
-
-    def __init__(self, borders: Floats, asides: Sequence[float]) -> None:
-        moves = np.abs(np.diff(asides))
-        self.borders = borders
-        self.halves: Floats = np.maximum(LEAST_RAMP, RAMP * moves)
-        self.moves = moves > 0
-
-    def along(self, at: Floats, values: Sequence[float]) -> Floats:
-        """Return a value of the roads at each place."""
-        found = np.full(len(at), float(values[0]))
-        for border, half, step in zip(self.borders, self.halves, np.diff(values), strict=True):
-            if step:
-                t = np.clip((at - border) / half, -1, 1)
-                found += step * np.where(t < 0, (1 + t) ** 2 / 2, 1 - (1 - t) ** 2 / 2)
-        return found
 
 
 def _joined(roads: Sequence[Sequence[Point]]) -> tuple[Floats, NDArray[np.int64]]:
@@ -176,58 +144,6 @@ def _joined(roads: Sequence[Sequence[Point]]) -> tuple[Floats, NDArray[np.int64]
     moved[1:] = (flat[1:] != flat[:-1]).any(axis=1)
     place = np.maximum(np.cumsum(moved) - 1, 0)
     return flat[moved], place[borders] if len(flat) else np.zeros(0, np.int64)
-
-
-def _samples(arcs: Floats, ramps: _Ramps, rounding: Sequence[float]) -> Floats:
-    """Return where points of the rounded road are needed: near its bends, and on ramps."""
-    length = arcs[-1]
-    grid = np.arange(STEP, length, STEP)
-    half = ramps.along(grid, rounding)
-    after = np.searchsorted(arcs, grid).clip(1, len(arcs) - 1)
-    nearest = np.minimum(grid - arcs[after - 1], arcs[after] - grid)
-    # The ends of a line are no bends.
-    wanted = (nearest < half + STEP) & (half >= STEP / 2)
-    for border, width, moves in zip(ramps.borders, ramps.halves, ramps.moves, strict=True):
-        if moves:
-            wanted |= np.abs(grid - border) < width + STEP
-    sharp = arcs[ramps.along(arcs, rounding) < STEP / 2]
-    return np.unique(np.concatenate([[0.0, length], grid[wanted], sharp]))
-
-
-def _rounded(road: Floats, arcs: Floats, at: Floats, half: Floats) -> Floats:
-    """Return the mean of a road around each place, with weights that fall off evenly to `half`."""
-    # Mirrored in its ends, so that these stay where they are.
-    reach = float(half.max(initial=0.0)) + STEP
-    before = slice(1, int(np.searchsorted(arcs, reach)) + 1)
-    behind = slice(int(np.searchsorted(arcs, arcs[-1] - reach)) - 1, -1)
-    if behind.start < 0:
-        behind = slice(0, -1)
-    points = np.concatenate(
-        [2 * road[0] - road[before][::-1], road, 2 * road[-1] - road[behind][::-1]]
-    )
-    places = np.concatenate([-arcs[before][::-1], arcs, 2 * arcs[-1] - arcs[behind][::-1]])
-    # The mean is a second difference of the twofold integral of a piecewise linear line.
-    origin = points.mean(axis=0)
-    value = points - origin
-    step = np.diff(places)[:, None]
-    slope = np.diff(value, axis=0) / step
-    zero = np.zeros((1, 2))
-    once = np.concatenate([zero, np.cumsum(value[:-1] * step + slope * step**2 / 2, axis=0)])
-    parts = once[:-1] * step + value[:-1] * step**2 / 2 + slope * step**3 / 6
-    twice = np.concatenate([zero, np.cumsum(parts, axis=0)])
-
-    def integral(where: Floats) -> Floats:
-        k = (np.searchsorted(places, where, side="right") - 1).clip(0, len(step) - 1)
-        u = (where - places[k])[:, None]
-        found: Floats = twice[k] + once[k] * u + value[k] * u**2 / 2 + slope[k] * u**3 / 6
-        return found
-
-    h = np.maximum(half, 1.0)
-    mean = (integral(at + h) - 2 * integral(at) + integral(at - h)) / h[:, None] ** 2
-    k = (np.searchsorted(places, at, side="right") - 1).clip(0, len(step) - 1)
-    exact = value[k] + slope[k] * (at - places[k])[:, None]
-    result: Floats = np.where((half >= STEP / 2)[:, None], mean, exact) + origin
-    return result
 
 
 def _with_normals(line: Floats) -> tuple[Floats, Floats, NDArray[np.int64]]:
@@ -264,10 +180,10 @@ def _beside(middle: Floats, normals: Floats, aside: Floats) -> Floats:
     line = _without_loops(line[kept], most)
     turns = _turns(line)
     if turns.max(initial=0.0) > SHARP:
-        arcs = _arcs(line)
+        arcs = arcs_of(line)
         half = min(arcs[-1], 4 + float(np.abs(aside).max()) / 3)
         at = np.unique(np.concatenate([np.arange(0, arcs[-1], STEP), arcs[-1:]]))
-        line = _rounded(line, arcs, at, np.full(len(at), half))
+        line = rounded(line, arcs, at, np.full(len(at), half))
     return _thinned(line, FINE)
 
 
@@ -280,7 +196,7 @@ def _without_loops(line: Floats, most: float) -> Floats:
     line = line[moved]
     if len(line) < 4 or shapely.is_simple(shapely.linestrings(line)):
         return line
-    arcs = _arcs(line)
+    arcs = arcs_of(line)
     step = np.diff(line, axis=0)
     pieces = shapely.linestrings(np.stack([line[:-1], line[1:]], axis=1))
     i, j = shapely.STRtree(np.asarray(pieces)).query(pieces, predicate="intersects")
@@ -314,11 +230,6 @@ def _turns(line: Floats) -> Floats:
     turn = np.diff(heading)
     result: Floats = np.abs((turn + np.pi) % (2 * np.pi) - np.pi)
     return result
-
-
-def _arcs(line: Floats) -> Floats:
-    """Return how far along a line each of its points lies."""
-    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(line, axis=0).T))])
 
 
 def _thinned(line: Floats, tolerance: float) -> Floats:

@@ -35,6 +35,9 @@ MOST_TOLD = 4
 END_HALF, EVENT_HALF = 10.3, 12.5
 """Half of what a mark covers, its rim included, in pixels."""
 
+BADGE = 5.0
+"""How far the badge of late arrivals sticks out of a mark, in pixels."""
+
 FAR = 15.0
 """A mark moved further than this is tied to its place by a line."""
 
@@ -155,13 +158,12 @@ def placed_marks(
             title = ", ".join([title, *_late_texts(kind, vehicles)])
             for place, (colour, letter) in enumerate(faces):
                 beside = spot[0] + BESIDE * scale * (place - (len(faces) - 1) / 2)
-                x, y = _beside(beside, spot[1], END_HALF * scale, marks, view, scale)
+                late = kind == "end" and any(map(_is_late, faced[place]))
+                half = (END_HALF + (BADGE if late else 0.0)) * scale
+                x, y = _beside(beside, spot[1], half, marks, view, scale)
                 marks.append(
-                    Mark(
-                        kind, x, y, spot, END_HALF * scale, title, colour, letter, scale,
-                        is_late=kind == "end" and any(map(_is_late, faced[place])),
-                    )
-                )  # fmt: skip
+                    Mark(kind, x, y, spot, half, title, colour, letter, scale, is_late=late)
+                )
     return marks
 
 
