@@ -92,7 +92,8 @@ function leaderOf(at, { x, y, w, h }) {
   return near.distanceTo(at) > NEAR_PX ? [at, near] : null;
 }
 
-const CROSSED_BOX = 400;
+/* A leader through a callout would be read as that one's: rather no callout. */
+const CROSSED_BOX = SOLID;
 const CROSSED_LEADER = 150;
 
 /* What a place costs for the leaders that it crosses, or that cross it. */

@@ -94,8 +94,9 @@ def placed_callouts(
 NEAR = 20.0
 """A box further than this from its event is tied to it by a leader, in pixels."""
 
-CROSSED_BOX, CROSSED_LEADER = 400.0, 150.0
-"""What a place costs whose leader crosses another box, or another leader."""
+CROSSED_BOX, CROSSED_LEADER = 1_000.0, 150.0
+"""What a place costs whose leader crosses another box, or another leader. A leader through a box
+would be read as that one's: rather no box."""
 
 
 @dataclass(slots=True)
