@@ -92,8 +92,7 @@ function leaderOf(at, { x, y, w, h }) {
   return near.distanceTo(at) > NEAR_PX ? [at, near] : null;
 }
 
-/* A leader through a callout would be read as that one's: rather no callout. */
-const CROSSED_BOX = SOLID;
+const CROSSED_BOX = 400;
 const CROSSED_LEADER = 150;
 
 /* What a place costs for the leaders that it crosses, or that cross it. */
@@ -137,6 +136,13 @@ function arrangeCallouts(cover) {
       const others = callouts.filter((other) => other !== one);
       one.place = cover.place(one.choices, WORST, (place) => tangled(place, one.at, others));
     }
+  }
+  // A leader through a callout would be read as that one's: rather no callout.
+  for (const one of callouts) {
+    const others = callouts.filter((other) => other !== one);
+    if (!one.place || tangled(one.place, one.at, others) < CROSSED_BOX) continue;
+    cover.addBox(one.place, -TEXT);
+    one.place = null;
   }
   for (const { box, at, place } of callouts) {
     if (!place) {

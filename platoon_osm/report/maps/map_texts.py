@@ -83,6 +83,12 @@ def placed_callouts(
                 cover.free_box(one.box)
             others = [other for other in found if other is not one]
             one.box = cover.place(one.choices, worst, partial(one.tangled, others=others))
+    # A leader through a box would be read as that one's: rather no box.
+    for one in found:
+        others = [other for other in found if other is not one]
+        if one.box is not None and one.tangled(one.box, others) >= CROSSED_BOX:
+            cover.free_box(one.box)
+            one.box = None
     for one in found:
         if one.box is not None:
             near = _leader(one.at, one.box)
@@ -94,9 +100,8 @@ def placed_callouts(
 NEAR = 20.0
 """A box further than this from its event is tied to it by a leader, in pixels."""
 
-CROSSED_BOX, CROSSED_LEADER = 1_000.0, 150.0
-"""What a place costs whose leader crosses another box, or another leader. A leader through a box
-would be read as that one's: rather no box."""
+CROSSED_BOX, CROSSED_LEADER = 400.0, 150.0
+"""What a place costs whose leader crosses another box, or another leader."""
 
 
 @dataclass(slots=True)
