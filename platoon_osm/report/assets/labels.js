@@ -173,6 +173,7 @@ function* namesHere() {
 }
 
 const LONGEST_NAME_PX = 150;
+const DOT = 1;
 
 /* Places for a name, best first: beside its dot or mark, then further from it. */
 function nameChoices(at, w, h) {
@@ -198,14 +199,16 @@ function arrangeNames(cover, bounds) {
   if (hidden.has("names")) return;
   const made = document.createDocumentFragment();
   const view = viewBox();
-  for (const { lon, lat, name, room, kind } of namesHere()) {
-    const latlng = L.latLng(lat / STEPS, lon / STEPS);
-    if (!bounds.contains(latlng)) continue;
-    const at = map.latLngToLayerPoint(latlng);
+  const found = [...namesHere()].map((one) => ({ ...one, latlng: L.latLng(one.lat / STEPS, one.lon / STEPS) }))
+    .filter(({ latlng }) => bounds.contains(latlng))
+    .map((one) => ({ ...one, at: map.latLngToLayerPoint(one.latlng) }));
+  // A name may touch one dot, its own.
+  for (const { at } of found) cover.addLine([at, at], DOT);
+  for (const { at, name, room, kind } of found) {
     const font = kind === "junction" ? "11px" : "12.5px";
     const w = Math.min(Math.ceil(textWidth(name, font)) + 2, LONGEST_NAME_PX) + 6;
     const place = nameChoices(at, w, 17).map((one) => ({ ...one, room })).find((one) =>
-      !isCut(one, view) && cover.cost(one) === 0 && cover.crowding(one) === 0);
+      !isCut(one, view) && cover.cost(one) <= DOT && cover.crowding(one) === 0);
     if (!place) continue;
     cover.addBox(place, TEXT);
     const label = element("div", `name ${kind}`);
