@@ -93,7 +93,7 @@ def layout_of(document: Document) -> Layout:
         )[0]
         for solo in document.solos
     ]
-    cover.add_lines(solos)
+    cover.add_lines(solos, weight=3)
     bands: list[Band] = []
     for section in document.platoons:
         count = len(section.vehicles)
@@ -101,7 +101,7 @@ def layout_of(document: Document) -> Layout:
         roads = [(view.pixels(part.line), band_aside(part, view)) for part in section.parts]
         asides = (0.0, *((place - (count - 1) / 2) * step for place in range(count)))
         middle, *lanes = laid_beside(roads, asides)
-        cover.add_lines(lanes, weight=4)
+        cover.add_lines(lanes, weight=6)
         bands.append(Band(middle, lanes))
     marks = placed_marks(document, view)
     cover.add_boxes(mark.box for mark in marks)
