@@ -35,7 +35,7 @@ Frame = tuple[float, float, float, float]
 """West, south, east and north in degrees."""
 
 BASEMAP_TOLERANCE_M = 20.0
-FAR_TOLERANCE_M = 150.0
+FAR_TOLERANCE_M = 300.0
 """Of roads far from a plan, which are seen from afar only: half the text, and a pixel there."""
 
 ROUTE_TOLERANCE_M = 8.0

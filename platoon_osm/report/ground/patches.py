@@ -28,7 +28,7 @@ Floats = NDArray[np.float64]
 NORTHERNMOST = 85.0
 """Where the maps' projection ends [deg], north and south."""
 
-MOST_POINTS = {"world": 600, "wide": 700, "near": 1_700, "plan": 900}
+MOST_POINTS = {"world": 450, "wide": 500, "near": 1_100, "plan": 700}
 """Points of land a patch may have, and half as many of borders, for the weight of a page."""
 
 NEAR_MARGIN, WIDE_MARGIN, PLAN_MARGIN = 0.12, 0.75, 0.5

@@ -39,9 +39,15 @@ def path_data(points: Sequence[Point]) -> str:
     (x0, y0), *rest = tenths
     out = [f"M{x0 / 10:g} {y0 / 10:g}l"]
     for x, y in rest:
-        out.append(f"{(x - x0) / 10:g} {(y - y0) / 10:g} ")
+        out += [_number(x - x0), _number(y - y0)]
         x0, y0 = x, y
-    return "".join(out).rstrip()
+    # A minus parts two numbers as a blank does.
+    return "".join(out).replace("l ", "l").replace(" -", "-")
+
+
+def _number(tenths: int) -> str:
+    """Return a number after a blank, without the zero before its point."""
+    return f" {tenths / 10:g}".replace("0.", ".") if abs(tenths) < 10 else f" {tenths / 10:g}"
 
 
 class DrawnLine(NamedTuple):
@@ -104,7 +110,7 @@ def path_of(lines: Iterable[list[Point]], width: float, height: float) -> str:
 def network_path(
     lines: Iterable[list[Point]], width: float, height: float, most: int = MOST_NETWORK_DATA
 ) -> str:
-    """Return the background: to half a pixel, twin carriageways once.
+    """Return the background: to whole pixels, twin carriageways once.
 
     Parameters
     ----------
@@ -122,7 +128,7 @@ def network_path(
     """
     kept: dict[tuple[Point, ...], list[Point]] = {}
     for line in lines:
-        points = [(round(x * 2) / 2, round(y * 2) / 2) for x, y in simplified(line)]
+        points = [(float(round(x)), float(round(y))) for x, y in simplified(line)]
         if not _near(points, width, height) or max(np.ptp(np.asarray(points), axis=0)) < 1.5:
             continue
         # The other carriageway has nearly the same ends, a pixel or two apart.
