@@ -238,7 +238,7 @@ def test_a_crowd_is_counted_until_one_zooms_in(
         letter = chr(65 + index) if index < 26 else "A" + chr(65 + index - 26)
         assert letters.count(letter) >= 2, letter
     few = page.locator("#map_plan .mark.end").count()
-    page.evaluate("map_plan.setZoom(10, {animate: false})")
+    page.evaluate("void map_plan.setZoom(10, {animate: false})")
     assert page.locator("#map_plan .mark.end").count() >= few
 
 
@@ -246,7 +246,7 @@ def test_a_crowd_is_counted_until_one_zooms_in(
 def test_merges_stand_where_they_are(two_file: Path, visit: Visit) -> None:
     """Starts and destinations make room for them, and are tied to their own places."""
     page = visit(two_file).page
-    page.evaluate("map_plan.setZoom(10, {animate: false})")
+    page.evaluate("void map_plan.setZoom(10, {animate: false})")
     moves = page.evaluate(
         """[...document.querySelectorAll('#map_plan .event-mark')].map(e => Math.hypot(
           parseFloat(e.style.marginLeft) + e.offsetWidth / 2,

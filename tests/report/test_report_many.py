@@ -153,7 +153,7 @@ def test_search_by_keyboard(pages: Callable[[str], Path], visit: Visit) -> None:
     # A place is found without its accent, and shown.
     field.fill("santhia")
     assert "Santhi\u00e0" in options.first.inner_text()
-    field.press("Enter")
+    options.filter(has_text="Junction").first.click()
     at = page.evaluate("(() => { const c = map_plan.getCenter(); return [c.lng, c.lat]; })()")
     assert at == pytest.approx([8.17, 45.37], abs=0.02)
     assert page.locator(".found-ring").count() == 1
@@ -354,3 +354,34 @@ def test_who_is_held_back_is_told(visit: Visit, tmp_path: Path) -> None:
     )
     letter = document["vehicles"][index]["letter"]
     assert f"{letter} held back" in page.locator(".states").inner_text()
+
+
+# -- tables ----------------------------------------------------------------------------------------
+
+
+@browser
+def test_long_tables_sort_by_their_heads(pages: Callable[[str], Path], visit: Visit) -> None:
+    opened = visit(pages("one platoon of fifty"))
+    page = opened.page
+    document = report_document(*plan_kind("one platoon of fifty"))
+    saved = [vehicle["saved"] for vehicle in document["vehicles"]]
+    table = page.locator(".group[open] .costs").first
+    rows = "rows => rows.map(row => Number(row.dataset.vehicle))"
+    before = table.locator("tbody tr").evaluate_all(rows)
+    table.get_by_role("button", name="Saving").click()
+    after = table.locator("tbody tr").evaluate_all(rows)
+    assert sorted(after) == sorted(before)
+    assert [saved[index] for index in after] == sorted((saved[i] for i in before), reverse=True)
+    head = table.locator("th[data-sort=saved]")
+    assert head.get_attribute("aria-sort") == "descending"
+    head.get_by_role("button").press("Enter")
+    assert head.get_attribute("aria-sort") == "ascending"
+    opened.check(pages("one platoon of fifty"))
+
+
+@browser
+def test_the_overview_leads_to_a_group(pages: Callable[[str], Path], visit: Visit) -> None:
+    page = visit(pages("five hundred vehicles")).page
+    page.locator(".overview tbody tr[data-group='40'] [role=button]").click()
+    assert page.locator(".group").nth(40).evaluate("e => e.open")
+    assert page.locator(".overview").evaluate("e => e.parentElement.offsetHeight") < 450

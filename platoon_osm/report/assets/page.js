@@ -42,6 +42,7 @@ selection.on((_chosen, _hinted, changed) => {
   if (plan.traffic) marks.show();
   labels.arrange();
 });
+wireTables(scene);
 rovePage(map, frame, document.getElementById("panel"));
 map.on("zoomend", () => {
   if (!fit.isWorking()) redraw();

@@ -111,10 +111,11 @@ def overview(document: Document) -> Tree:
         Piece(
             "overview-row",
             {
+                "number": number,
                 "name": group.name,
                 "facts": group.facts,
                 **costs_of(group.text, group.saved),
             },
         )
-        for group in document.groups
+        for number, group in enumerate(document.groups)
     )

@@ -40,6 +40,7 @@ SCRIPTS = (
     "events.js",
     "find.js",
     "chosen.js",
+    "tables.js",
     "clock.js",
     "positions.js",
     "journey.js",

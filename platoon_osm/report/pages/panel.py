@@ -92,6 +92,7 @@ def _vehicles(document: Document) -> Piece:
             "unit_note": note,
             "overview": overview(document),
             "wide": wide_sums(totals.text),
+            "density": " compact" if len(groups) > CROWD else "",
             "groups": tuple(_group(document, number, group) for number, group in enumerate(groups)),
             **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
         },
