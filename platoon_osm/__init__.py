@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from .report.pages.comparison import write_comparison
     from .report.pages.flows import write_flows
     from .report.pages.page import explore, write_html
+    from .report.sheets.write import write_sheets
     from .search.engine import many_to_many
     from .sources.load import load_network
     from .study.monte_carlo import StudyResult, run_study
@@ -77,6 +78,7 @@ _WHERE = {
     "to_geodataframe": "report.exports.gis",
     "write_geopackage": "report.exports.gis",
     "write_html": "report.pages.page",
+    "write_sheets": "report.sheets.write",
     "explore": "report.pages.page",
     "write_comparison": "report.pages.comparison",
     "write_csv": "report.exports.tracks",
@@ -138,6 +140,7 @@ __all__ = [
     "write_geopackage",
     "write_gpx",
     "write_html",
+    "write_sheets",
 ]
 
 

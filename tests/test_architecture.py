@@ -26,6 +26,7 @@ WALLS = {
     "planning": ("timing", "company", "scenario"),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",
+        "sheets",
     ),
     "cli": ("verbs",),
 }  # fmt: skip

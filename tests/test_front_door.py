@@ -122,6 +122,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "write_csv": (po.write_csv, {**shown}),
         "write_gpx": (po.write_gpx, {**shown}),
         "write_geopackage": (po.write_geopackage, {**shown}),
+        "write_sheets": (po.write_sheets, {**shown}),
     }  # fmt: skip
 
 
@@ -144,7 +145,7 @@ NAMES = (
     "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",
-    "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage",
+    "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage", "write_sheets",
 )  # fmt: skip
 
 

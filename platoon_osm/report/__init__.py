@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .pages.comparison import write_comparison
     from .pages.flows import write_flows
     from .pages.page import explore, plan_map, write_html
+    from .sheets.write import write_sheets
 
 _WHERE = {
     "write_figures": "charts.figures",
@@ -35,6 +36,7 @@ _WHERE = {
     "explore": "pages.page",
     "plan_map": "pages.page",
     "write_html": "pages.page",
+    "write_sheets": "sheets.write",
 }
 
 __all__ = [
@@ -54,6 +56,7 @@ __all__ = [
     "write_geopackage",
     "write_gpx",
     "write_html",
+    "write_sheets",
 ]
 
 

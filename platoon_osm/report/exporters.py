@@ -132,6 +132,12 @@ def _gpx(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = Non
     write_gpx(plan, net, path)
 
 
+def _sheets(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .sheets.write import write_sheets
+
+    write_sheets(plan, net, path, title=title)
+
+
 def _figures(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .charts.figures import write_figures
 
@@ -154,6 +160,22 @@ EXPORTERS: Registry[Exporter] = Registry(
             _gpx,
             is_folder=True,
             holds=("*.gpx",),
+        ),
+        Exporter(
+            "sheets",
+            "drivers' sheets, a printed page each",
+            ".html",
+            _sheets,
+            also=HTM,
+            is_text=True,
+        ),
+        Exporter(
+            "drivers",
+            "folder for a sheet and a calendar of each driver",
+            "",
+            _sheets,
+            is_folder=True,
+            holds=("*.html", "*.ics"),
         ),
         Exporter(
             "figures",

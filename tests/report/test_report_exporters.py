@@ -11,14 +11,30 @@ from platoon_osm.report.exporters import EXPORTERS, Exporter
 
 
 def test_the_exporters_and_their_order():
-    assert list(EXPORTERS) == ["html", "gpkg", "json", "csv", "flows", "gpx", "figures"]
-    assert [name for name in EXPORTERS if EXPORTERS[name].is_folder] == ["gpx", "figures"]
+    assert list(EXPORTERS) == [
+        "html",
+        "gpkg",
+        "json",
+        "csv",
+        "flows",
+        "gpx",
+        "sheets",
+        "drivers",
+        "figures",
+    ]
+    assert [name for name in EXPORTERS if EXPORTERS[name].is_folder] == [
+        "gpx",
+        "drivers",
+        "figures",
+    ]
     for exporter in EXPORTERS.values():
         assert exporter.about
         assert bool(exporter.suffix) is not exporter.is_folder
 
 
-@pytest.mark.parametrize("name", ["html", "gpkg", "json", "csv", "flows", "gpx"])
+@pytest.mark.parametrize(
+    "name", ["html", "gpkg", "json", "csv", "flows", "gpx", "sheets", "drivers"]
+)
 def test_each_writes_what_its_function_writes(name, plan, net, tmp_path):
     exporter = EXPORTERS.find(name)
     path = tmp_path / f"out{exporter.suffix}"

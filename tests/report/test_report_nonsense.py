@@ -35,14 +35,16 @@ WITH_PATH: dict[str, Call] = {
     "write_gpx": report.write_gpx,
     "write_geopackage": report.write_geopackage,
     "write_figures": report.write_figures,
+    "write_sheets": report.write_sheets,
     "write_comparison": lambda plan, net, path, **rest: report.write_comparison(
         [plan, plan], net, path, **rest
     ),
 }
+FOLDERS = ("write_gpx", "write_figures", "write_sheets")
 EVERY = {**WITHOUT_PATH, **WITH_PATH}
 TITLED = [
     "report_document", "flow_document", "plan_map", "explore", "comparison_document", "write_html",
-    "write_flows", "write_comparison",
+    "write_flows", "write_comparison", "write_sheets",
 ]  # fmt: skip
 WEIGHTED = ["report_document", "plan_map", "explore", "write_html", "write_figures"]
 
@@ -63,7 +65,7 @@ def place(tmp_path: Path) -> Callable[[str], list[Path]]:
     def made(name: str) -> list[Path]:
         if name not in WITH_PATH:
             return []
-        return [tmp_path if name in ("write_gpx", "write_figures") else tmp_path / "out.file"]
+        return [tmp_path if name in FOLDERS else tmp_path / "out.file"]
 
     return made
 

@@ -43,6 +43,7 @@ selection.on((_chosen, _hinted, changed) => {
   labels.arrange();
 });
 wireTables(scene);
+wireData(scene);
 rovePage(map, frame, document.getElementById("panel"));
 map.on("zoomend", () => {
   if (!fit.isWorking()) redraw();

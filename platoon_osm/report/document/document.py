@@ -13,6 +13,7 @@ from typing import Any
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
+from ...shown_text import fitted
 from ..drawing.basemap import network_lines
 from ..drawing.vehicle_styles import VehicleStyle
 from ..language.speech import speaking, spoken
@@ -154,7 +155,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
                 bool(found.groups),
             )
         ),
-        cost_unit=CostLabel(found.unit.label, found.unit.note, found.unit.scale),
+        cost_unit=CostLabel(found.unit.label, found.unit.note, fitted(plan.unit), found.unit.scale),
         totals=totals(found),
         vehicles=vehicles,
         groups=tuple(groups(found)),

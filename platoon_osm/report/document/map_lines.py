@@ -11,6 +11,7 @@ from ..language.speech import say
 from ..markup.quantities import kilometres
 from .findings import Findings
 from .model_map import BandPart, LanePart, PlatoonLine, SharedCost, SoloLine, Tip
+from .roads import roads_of
 from .wording import cost_texts, joined
 
 __all__ = ["inferred_routes", "platoon_line", "solo_line"]
@@ -41,7 +42,7 @@ def platoon_line(found: Findings, number: int) -> PlatoonLine:
     shares: list[SharedCost] = []
     for index in stretch.company:
         letter, share = found.styles[index].letter, stretch.share_of(index)
-        shares.append(SharedCost(index, share.alone_cost, share.cost))
+        shares.append(SharedCost(index, share.alone_cost, share.cost, round(share.fuel_l, 4)))
         if share.alone_cost is None:
             rows.append((letter, "", found.unit.bare(share.cost), ""))
         else:
@@ -62,6 +63,9 @@ def platoon_line(found: Findings, number: int) -> PlatoonLine:
             rows=tuple(rows[:MOST_ROWS]),
             more=say("tip.more", n=len(rows) - MOST_ROWS) if len(rows) > MOST_ROWS else "",
         ),
+        drive_s=round(stretch.drive_s, 2),
+        inferred_m=round(stretch.inferred_m, 1),
+        roads=fitted(roads_of(found.net, stretch.edges)),
     )
 
 
@@ -115,6 +119,10 @@ def solo_line(found: Findings, number: int) -> SoloLine:
             ),
         ),
         access=stretch.access is not None,
+        drive_s=round(stretch.drive_s, 2),
+        inferred_m=round(stretch.inferred_m, 1),
+        fuel_l=round(stretch.shares[0].fuel_l, 4),
+        roads="" if stretch.access else fitted(roads_of(found.net, stretch.edges)),
     )
 
 

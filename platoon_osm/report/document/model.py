@@ -49,12 +49,15 @@ class CostLabel:
         Heads a column.
     note : str
         Explains the unit; empty if it needs no explanation.
+    name : str
+        As the plan calls it, for files.
     scale : float
         Printed figure per figure of the document.
     """
 
     label: str
     note: str
+    name: str
     scale: float = field(metadata=NOT_IN_JSON)
 
 

@@ -58,11 +58,14 @@ class SharedCost:
         Its position in the document.
     cost_alone, cost_platoon : float or None
         Alone and in platoon; None where the plan does not tell.
+    fuel_l : float
+        Of this vehicle.
     """
 
     vehicle: int
     cost_alone: float | None
     cost_platoon: float | None
+    fuel_l: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +106,10 @@ class PlatoonLine:
         In driving order.
     tip : Tip
         What it tells when pointed at.
+    drive_s, inferred_m : float
+        How long it is driven, and how much of it the loader inferred.
+    roads : str
+        Road numbers in driving order.
     """
 
     vehicles: tuple[int, ...]
@@ -110,6 +117,9 @@ class PlatoonLine:
     costs: tuple[SharedCost, ...]
     parts: tuple[BandPart, ...]
     tip: Tip
+    drive_s: float
+    inferred_m: float
+    roads: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,6 +161,10 @@ class SoloLine:
         What it tells when pointed at.
     access : bool
         Whether it is a way between the road and a place beside it, drawn dotted.
+    drive_s, inferred_m, fuel_l : float
+        How long it is driven, how much of it the loader inferred, and on what fuel.
+    roads : str
+        Road numbers in driving order.
     """
 
     vehicle: int
@@ -158,7 +172,11 @@ class SoloLine:
     cost: float
     parts: tuple[LanePart, ...]
     tip: Tip
-    access: bool = False
+    access: bool
+    drive_s: float
+    inferred_m: float
+    fuel_l: float
+    roads: str
 
 
 @dataclass(frozen=True, slots=True)

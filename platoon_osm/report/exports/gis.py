@@ -17,10 +17,11 @@ from ...shown_text import shown
 from ..document.checks import check_path
 from ..document.findings import moment_of
 from ..document.provenance import credits, proof_text
+from ..document.roads import roads_of
 from ..document.wording import plan_unit
 from ..drawing.vehicle_styles import vehicle_styles
 from .geopackage import Layer, changed_at, write_layers
-from .legs import leg_columns, leg_rows, roads_of
+from .legs import leg_columns, leg_rows
 from .qgis_styles import STYLES, style_rows
 
 if TYPE_CHECKING:

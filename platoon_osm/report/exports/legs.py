@@ -14,8 +14,9 @@ from ...plans.plan import Plan
 from ...shown_text import shown
 from ..document.checks import check_plan
 from ..document.provenance import credits
+from ..document.roads import roads_of
 
-__all__ = ["Cell", "LegRow", "leg_columns", "leg_rows", "roads_of"]
+__all__ = ["Cell", "LegRow", "leg_columns", "leg_rows"]
 
 Cell = str | int | float | None
 
@@ -152,22 +153,3 @@ def leg_columns(plan: Plan, rows: Sequence[LegRow]) -> dict[str, list[Cell]]:
     left_out = ("line", *(TIMED if plan.timetable is None else ()))
     names = [one.name for one in fields(LegRow) if one.name not in left_out]
     return {name: [getattr(row, name) for row in rows] for name in names}
-
-
-def roads_of(net: RoadNetwork, edges: Sequence[int]) -> str:
-    """Return the road numbers along edges.
-
-    Parameters
-    ----------
-    net : RoadNetwork
-        Whose edges they are.
-    edges : sequence of int
-        In driving order.
-
-    Returns
-    -------
-    str
-        With commas, each once.
-    """
-    refs = dict.fromkeys(shown(net.edge_ref(edge)) for edge in edges)
-    return ", ".join(ref for ref in refs if ref)

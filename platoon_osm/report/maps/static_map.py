@@ -21,7 +21,7 @@ from .placement import Box, Cover
 from .ribbons import ribbon_pieces, ribbons
 from .static_marks import mark_pieces, placed_marks
 
-__all__ = ["NARROW", "small_maps", "static_map", "static_texts", "town_names"]
+__all__ = ["NARROW", "map_foreground", "small_maps", "static_map", "static_texts", "town_names"]
 
 DOTS = "0.1 8"
 """Dashes of a way beside the road: dots, with round ends."""
@@ -68,7 +68,7 @@ def static_map(document: Document) -> Piece:
             "ground": ground_piece(document, view, BEYOND),
             "towns": town_dots(document, view),
             **_background(document, view),
-            **_foreground(document, view, NARROW, whole=True),
+            **map_foreground(document, view, NARROW, whole=True),
         },
     )
 
@@ -109,7 +109,7 @@ def small_maps(documents: Sequence[Document]) -> list[Piece]:
                     else Piece("small-ground", {"ground": ground_piece(documents[0], view)}),
                     "towns": town_dots(document, view),
                     "network": NOTHING if maps else Piece("small-network", {"path": path}),
-                    **_foreground(document, view, SMALL_NARROW, whole=False),
+                    **map_foreground(document, view, SMALL_NARROW, whole=False),
                 },
             )
         )
@@ -162,10 +162,28 @@ def _background(document: Document, view: MapView) -> dict[str, str]:
     }
 
 
-def _foreground(document: Document, view: MapView, large: float, *, whole: bool) -> dict[str, Tree]:
+def map_foreground(
+    document: Document, view: MapView, large: float, *, whole: bool
+) -> dict[str, Tree]:
     """Return routes, and marks and texts for wide and for narrow screens.
 
     On narrow screens they are larger, and so fewer. Callouts and a scale belong to a whole map.
+
+    Parameters
+    ----------
+    document : Document
+        What is drawn.
+    view : MapView
+        The drawing.
+    large : float
+        How much larger than common what is written for narrow screens is.
+    whole : bool
+        Whether it is the whole map of a page.
+
+    Returns
+    -------
+    dict of str to Tree
+        "routes", "wide", "narrow" and, of a whole map, "scale".
     """
     places = view.places(document)
     solos, bands = _solo_drawings(document, view), _band_drawings(document, view)

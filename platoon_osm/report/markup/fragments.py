@@ -42,6 +42,7 @@ FRAGMENT_FILES = (
     "time_distance.html",
     "comparison.html",
     "flows.html",
+    "sheets.html",
     "notebook.html",
 )
 

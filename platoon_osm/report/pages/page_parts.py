@@ -44,6 +44,9 @@ SCRIPTS = (
     "clock.js",
     "positions.js",
     "journey.js",
+    "data_legs.js",
+    "data_files.js",
+    "data.js",
     "page.js",
 )
 """The page's own scripts, in their order: each may use those before it."""

@@ -1,0 +1,1 @@
+"""What drivers take along: a printed sheet of their journey, and a calendar of it."""

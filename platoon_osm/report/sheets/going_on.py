@@ -1,0 +1,100 @@
+"""What a driver does if those who are to be met do not come: until when to wait, and what then.
+
+With R the driving time of the rest of the way [s] and a the latest arrival asked for, a vehicle
+that leaves a meeting point by a - R is there in time. What is not in the plan is not made up: a
+trip without a latest arrival has no such moment, unless the caller names a patience.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...network.road_network import RoadNetwork
+from ...plans.plan import Plan
+from ..document.roads import roads_of
+
+__all__ = ["GoingOn", "going_on"]
+
+
+@dataclass(frozen=True, slots=True)
+class GoingOn:
+    """How a vehicle goes on without those it was to meet.
+
+    Attributes
+    ----------
+    until_s : float or None
+        When it leaves at the latest; None if neither a latest arrival nor a patience is known.
+    by_patience : bool
+        Whether that is as long as the caller's patience goes; else it is as long as it is in time.
+    arrives_s : float or None
+        When it is there if it leaves then, or else as planned; None without times.
+    roads : str
+        Road numbers to the destination.
+    length_m, drive_s : float
+        From here to the destination.
+    with_others : bool
+        Whether some of its company are with it already.
+    """
+
+    until_s: float | None
+    by_patience: bool
+    arrives_s: float | None
+    roads: str
+    length_m: float
+    drive_s: float
+    with_others: bool
+
+
+def going_on(
+    plan: Plan, net: RoadNetwork, index: int, number: int, patience_s: float | None
+) -> GoingOn:
+    """Return how a vehicle goes on from where one of its stretches begins.
+
+    Its way is the planned one, for the plan holds no other from there; at the origin it is the
+    route that it would drive alone.
+
+    Parameters
+    ----------
+    plan : Plan
+        Laid out in whole edges.
+    net : RoadNetwork
+        The network it is laid out on.
+    index : int
+        Position of the vehicle in the plan.
+    number : int
+        Of the stretch in its way, from 0.
+    patience_s : float or None
+        How long after the planned moment to wait at most [s].
+
+    Returns
+    -------
+    GoingOn
+        Until when it waits, and how it drives then.
+    """
+    way = plan.ways[index]
+    with_others = number > 0 and plan.stretches[way[number - 1]].together
+    rest = [plan.stretches[k] for k in way[number:]]
+    if number == 0:
+        alone = plan.trips[index].alone
+        edges, length_m, drive_s = list(alone.edges), alone.length_m, alone.time_s
+    else:
+        edges = [edge for one in rest if one.access is None for edge in one.edges]
+        length_m, drive_s = sum(one.length_m for one in rest), sum(one.drive_s for one in rest)
+    times = plan.times[index]
+    if times is None:
+        return GoingOn(None, False, None, roads_of(net, edges), length_m, drive_s, with_others)
+    planned, latest = times.legs[number][0], times.latest_arrival_s
+    in_time = None if latest is None else latest - drive_s
+    patient = None if patience_s is None else planned + patience_s
+    limits = [limit for limit in (in_time, patient) if limit is not None]
+    # Who would be late anyway waits no longer than planned.
+    until = max(min(limits), planned) if limits else None
+    return GoingOn(
+        until_s=until,
+        by_patience=until is not None and until == patient,
+        arrives_s=(planned if until is None else until) + drive_s,
+        roads=roads_of(net, edges),
+        length_m=length_m,
+        drive_s=drive_s,
+        with_others=with_others,
+    )

@@ -1,0 +1,226 @@
+"""A vehicle's journey as its driver goes through it: place by place, and who is met or left there.
+
+Everything is read off the plan. A step is a place where something changes for the driver: who
+drives along, in which order, or whether it is road. What happens to others elsewhere is not told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate
+
+from ...network.road_network import RoadNetwork
+from ...plans.clock import MENTIONED_S
+from ...plans.plan import Plan
+from ...plans.records import PlatoonPoint, Stop, Stretch
+from ..document.roads import roads_of
+from .going_on import GoingOn, going_on
+
+__all__ = ["Step", "Way", "steps_of"]
+
+Company = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """What a vehicle drives from one step to the next.
+
+    Attributes
+    ----------
+    roads : str
+        Road numbers in driving order; empty for a way beside the road.
+    length_m, drive_s : float
+        Of it.
+    order : tuple of int
+        Who drives it, in their order, this vehicle among them.
+    is_access : bool
+        Whether it is a way between the road and a place beside it.
+    """
+
+    roads: str
+    length_m: float
+    drive_s: float
+    order: Company
+    is_access: bool
+
+    @property
+    def together(self) -> bool:
+        """Whether it is driven as a platoon."""
+        return len(self.order) > 1
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A place where something changes for a driver.
+
+    Attributes
+    ----------
+    place : Stop or PlatoonPoint
+        Where; its name is other people's text.
+    at_m : float
+        How far the vehicle has come [m].
+    reached_s, leaves_s : float or None
+        When it comes there and when it goes on; None without times.
+    joined, left : tuple of int
+        Who drives along from here on; and who no longer does.
+    moves : bool
+        Whether it is this vehicle that joins or leaves.
+    way : Way or None
+        What follows; None at the destination.
+    waited_for : bool
+        Whether one of the company waits here for others.
+    without : GoingOn or None
+        What to do if those who are to be met do not come; None if nobody is.
+    """
+
+    place: Stop | PlatoonPoint
+    at_m: float
+    reached_s: float | None
+    leaves_s: float | None
+    joined: Company
+    left: Company
+    moves: bool
+    way: Way | None
+    waited_for: bool = False
+    without: GoingOn | None = None
+
+    @property
+    def wait_s(self) -> float:
+        """How long the vehicle waits here; 0 if that is not worth telling."""
+        if self.reached_s is None or self.leaves_s is None:
+            return 0.0
+        wait = self.leaves_s - self.reached_s
+        return wait if wait >= MENTIONED_S else 0.0
+
+
+def steps_of(
+    plan: Plan, net: RoadNetwork, index: int, patience_s: float | None = None
+) -> tuple[Step, ...]:
+    """Return the steps of a vehicle, from its origin to its destination.
+
+    Parameters
+    ----------
+    plan : Plan
+        Laid out in whole edges.
+    net : RoadNetwork
+        The network it is laid out on.
+    index : int
+        Position of the vehicle in the plan.
+    patience_s : float or None
+        How long after the planned moment to wait for others at most [s]; None for no other limit
+        than the latest arrival.
+
+    Returns
+    -------
+    tuple of Step
+        Two or more.
+    """
+    stretches = [plan.stretches[k] for k in plan.ways[index]]
+    times = plan.times[index]
+    driven = [0.0, *accumulate(one.length_m for one in stretches)]
+    found: list[Step] = []
+    for number in range(len(stretches) + 1):
+        before = stretches[number - 1] if number else None
+        after = stretches[number] if number < len(stretches) else None
+        came, goes = _order(before, index), _order(after, index)
+        joined = tuple(one for one in goes if one not in came)
+        left = tuple(one for one in came if one not in goes)
+        reached = leaves = None
+        if times is not None:
+            reached = times.legs[number - 1][1] if number else times.departure_s
+            leaves = times.legs[number][0] if after else None
+        place, moves = _place(plan, net, index, number, joined, left)
+        step = Step(
+            place=place,
+            at_m=driven[number],
+            reached_s=reached,
+            leaves_s=leaves,
+            joined=joined,
+            left=left,
+            moves=moves,
+            way=None if after is None else _way(net, after),
+            waited_for=bool(joined) and _others_wait(plan, index, number),
+            without=going_on(plan, net, index, number, patience_s) if joined else None,
+        )
+        if found and after is not None and not _tells(step, found[-1], came, goes):
+            found[-1] = replace(found[-1], way=_longer(found[-1].way, step.way))
+        else:
+            found.append(step)
+    return tuple(found)
+
+
+def _order(stretch: Stretch | None, index: int) -> Company:
+    return (index,) if stretch is None else stretch.vehicles
+
+
+def _tells(step: Step, last: Step, came: Company, goes: Company) -> bool:
+    """Return whether a driver has to know of a step between two stretches."""
+    on_road = step.way is not None and last.way is not None and (
+        step.way.is_access != last.way.is_access
+    )  # fmt: skip
+    return came != goes or on_road or step.wait_s > 0
+
+
+def _way(net: RoadNetwork, stretch: Stretch) -> Way:
+    beside = stretch.access is not None
+    roads = "" if beside else roads_of(net, stretch.edges)
+    return Way(roads, stretch.length_m, stretch.drive_s, stretch.vehicles, beside)
+
+
+def _longer(one: Way | None, more: Way | None) -> Way | None:
+    if one is None or more is None:
+        return one or more
+    refs = dict.fromkeys([*one.roads.split(", "), *more.roads.split(", ")])
+    return replace(
+        one,
+        roads=", ".join(filter(None, refs)),
+        length_m=one.length_m + more.length_m,
+        drive_s=one.drive_s + more.drive_s,
+    )
+
+
+def _place(
+    plan: Plan, net: RoadNetwork, index: int, number: int, joined: Company, left: Company
+) -> tuple[Stop | PlatoonPoint, bool]:
+    """Return where a step is, and whether this vehicle is who joins or leaves."""
+    way = plan.ways[index]
+    events = [
+        event
+        for event in plan.events
+        if (event.kind == "merge" and joined and number < len(way) and event.stretch == way[number])
+        or (event.kind == "separation" and left and number and event.stretch == way[number - 1])
+    ]
+    mine = [event for event in events if index in event.movers and event.others]
+    if number == 0:
+        return plan.trips[index].origin, bool(mine)
+    if number == len(way):
+        return plan.trips[index].destination, bool(mine)
+    for event in (*mine, *events):
+        return event.point, bool(mine)
+    return _between(plan, net, way[number - 1], way[number]), False
+
+
+def _between(plan: Plan, net: RoadNetwork, before: int, after: int) -> Stop:
+    """Return where one stretch goes over into another, if no event of the plan names it."""
+    one, other = plan.stretches[before], plan.stretches[after]
+    node = int(net.head[one.edges[-1]] if one.edges else net.tail[other.edges[0]])
+    name = (one if one.access else other).access_at or net.place_name(node)
+    return Stop(node, float(net.lon[node]), float(net.lat[node]), name)
+
+
+def _others_wait(plan: Plan, index: int, number: int) -> bool:
+    """Return whether others of the company wait where a stretch of a vehicle's way begins."""
+    waits = _waits(plan, plan.ways[index][number])
+    return any(wait >= MENTIONED_S for other, wait in waits if other != index)
+
+
+def _waits(plan: Plan, stretch: int) -> Iterator[tuple[int, float]]:
+    for other in plan.stretches[stretch].vehicles:
+        times, way = plan.times[other], plan.ways[other]
+        if times is not None:
+            yield other, times.waits[_at(way, stretch)]
+
+
+def _at(way: Sequence[int], stretch: int) -> int:
+    return list(way).index(stretch)
