@@ -1,0 +1,154 @@
+"""Pages in other languages: nothing of the English page is left but names, figures and credits."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+from plan_kinds import plan_kind
+
+import platoon_osm as po
+from platoon_osm.report.language.languages import languages
+
+HASH = re.compile(r"[0-9a-f]{8,64}…?[0-9a-f]*")
+
+Visit = Callable[..., Any]
+
+READ_ALOUD = ("aria-label", "title", "alt", "aria-valuetext", "placeholder", "summary")
+
+SAME_EVERYWHERE = re.compile(
+    r"platoon_osm|sha256|Graph|A\*|Platoons?|OpenStreetMap contributors|Leaflet|GeoPackage|"
+    r"GPX|CSV|JSON|GeoJSON|ICS|iCal|Case|UTC|EUR|km/h|km|min|eq|h|l|d|m|T|MP|SP"
+)
+"""Words that are the same in other languages too."""
+
+KINDS = (
+    "three vehicles", "without times", "one vehicle", "all are late", "fifty vehicles",
+    "over several days",
+)  # fmt: skip
+
+
+class Texts(HTMLParser):
+    """All that a page shows or is read aloud from it, but scripts and styles."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: set[str] = set()
+        self.silent = 0
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.silent += tag in ("script", "style")
+        self.found |= {value for name, value in attrs if name in READ_ALOUD and value}
+
+    def handle_endtag(self, tag: str) -> None:
+        self.silent -= tag in ("script", "style")
+
+    def handle_data(self, data: str) -> None:
+        if not self.silent:
+            self.found.add(" ".join(data.split()))
+
+
+def texts_of(html: str) -> set[str]:
+    texts = Texts()
+    texts.feed(html)
+    return texts.found
+
+
+def names_in(value: Any, key: str = "") -> Iterator[str]:
+    """Yield what a document holds of names, titles and credits: other people's words."""
+    if isinstance(value, dict):
+        for name, inner in value.items():
+            yield from names_in(inner, name)
+    elif isinstance(value, list):
+        for inner in value:
+            if isinstance(inner, list) and key in ("towns", "junctions"):
+                yield inner[2]
+            else:
+                yield from names_in(inner, key)
+    elif isinstance(value, str) and key in ("name", "title", "credits", "letter", "label", "zone"):
+        yield value
+
+
+def left_over(english: set[str], other: set[str], names: set[str]) -> set[str]:
+    """Return texts of both languages that hold a word which is no name and no unit."""
+    found = set()
+    for text in english & other:
+        rest = text
+        for name in sorted(names, key=len, reverse=True):
+            rest = rest.replace(name, " ")
+        rest = SAME_EVERYWHERE.sub(" ", rest)
+        # Parameters of costs are called as in a scenario, networks by the digits of a hash.
+        if re.search(r"[A-Za-z]{3,}", rest) and " = " not in text and not HASH.fullmatch(text):
+            found.add(text)
+    return found
+
+
+LIVE = """() => {
+  const found = [];
+  const texts = (root) => {
+    const walk = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+    while (walk.nextNode()) {
+      const { parentElement: parent, data } = walk.currentNode;
+      if (!parent?.closest("script, style")) found.push(data);
+    }
+    for (const one of root.querySelectorAll("*")) {
+      for (const name of READ_ALOUD) if (one.getAttribute(name)) found.push(one.getAttribute(name));
+    }
+  };
+  texts(document.body);
+  map_plan.eachLayer((layer) => {
+    const tip = layer.getTooltip?.()?.getContent();
+    if (tip instanceof Element) texts(tip);
+    else if (tip) found.push(tip);
+  });
+  return found.map((text) => text.replace(/[\\s\u2068\u2069]+/g, " ").trim());
+}""".replace("READ_ALOUD", str(list(READ_ALOUD)))
+
+
+def pages_of(kind: str, folder: Path, language: str) -> dict[str, str]:
+    """Write every page of a plan in a language."""
+    plan, net = plan_kind(kind)
+    folder = folder / language
+    folder.mkdir()
+    po.write_flows(plan, net, folder / "flows.html", language=language)
+    other = po.write_comparison
+    other([plan, plan], net, folder / "compare.html", titles=["Uno", "Due"], language=language)
+    po.write_html(plan, net, folder / "plan.html", language=language)
+    return {path.name: path.read_text("utf-8") for path in sorted(folder.glob("*.html"))}
+
+
+def names_of(kind: str) -> set[str]:
+    plan, net = plan_kind(kind)
+    document = po.report.report_document(plan, net)
+    names = {" ".join(name.split()) for name in names_in(document)}
+    return {"Uno", "Due", *(name for name in names if len(name) > 2)}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_still_pages_leave_no_english_word(kind: str, tmp_path: Path) -> None:
+    english = pages_of(kind, tmp_path, "en")
+    names = names_of(kind)
+    for language in languages():
+        if language == "en":
+            continue
+        for page, html in pages_of(kind, tmp_path, language).items():
+            assert f'<html lang="{language}"' in html
+            left = left_over(texts_of(english[page]), texts_of(html), names)
+            assert left == set(), (page, language)
+
+
+@pytest.mark.parametrize("kind", ["three vehicles", "all are late", "without times"])
+def test_the_live_page_leaves_no_english_word(kind: str, tmp_path: Path, visit: Visit) -> None:
+    plan, net = plan_kind(kind)
+    said = {}
+    for language in ("en", "de"):
+        path = tmp_path / f"{language}.html"
+        po.write_html(plan, net, path, language=language)
+        opened = visit(path)
+        said[language] = set(opened.page.evaluate(LIVE))
+        opened.check(path)
+    assert left_over(said["en"], said["de"], names_of(kind)) == set()
