@@ -9,12 +9,15 @@ from .findings import Findings
 
 __all__ = ["plan_frame"]
 
-LEAST_MARGIN = 0.6
-"""Degrees round a plan, at least: 40 to 70 km."""
+LEAST_MARGIN = 0.5
+"""Degrees round a plan, at least: 40 to 55 km."""
+
+MARGIN = 0.25
+"""Round a larger plan, in shares of its width and height."""
 
 
 def plan_frame(found: Findings) -> Frame:
-    """Return the frame of all routes of a plan, with half as much on each side.
+    """Return the frame of all routes of a plan, with some of the world around them.
 
     Parameters
     ----------
@@ -32,6 +35,6 @@ def plan_frame(found: Findings) -> Frame:
     stops = [stop for one in found.plan.vehicles for stop in (one.origin, one.destination)]
     lon = [*net.lon[nodes].tolist(), *(stop.lon for stop in stops)]
     lat = [*net.lat[nodes].tolist(), *(stop.lat for stop in stops)]
-    wide = max(LEAST_MARGIN, (max(lon) - min(lon)) / 2)
-    high = max(LEAST_MARGIN, (max(lat) - min(lat)) / 2)
+    wide = max(LEAST_MARGIN, MARGIN * (max(lon) - min(lon)))
+    high = max(LEAST_MARGIN, MARGIN * (max(lat) - min(lat)))
     return (min(lon) - wide, min(lat) - high, max(lon) + wide, max(lat) + high)

@@ -1,7 +1,7 @@
 """The document as it stands in a page: hundreds of named places are written short.
 
 The script of the page puts them back (scene.js), so that it works on the document as
-docs/report.md has it.
+docs/report.md has it; but for the fatigue along the day, which still charts alone show.
 """
 
 from __future__ import annotations
@@ -35,9 +35,12 @@ def page_data(document: Document, tiles: Tiles | None) -> str:
     str
         JSON that cannot end the element it stands in.
     """
+    whole = as_json(document)
+    for vehicle in whole["vehicles"]:
+        del vehicle["fatigue"]
     return json_for_html(
         {
-            **as_json(document),
+            **whole,
             "towns": _packed(document.towns, "".join(str(town.rank) for town in document.towns)),
             "junctions": _packed(document.junctions),
             "tiles": as_json(tiles),
