@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from ...errors import ScenarioError
+from ...errors import ScenarioError, brief
 from ...output_paths import PAGES, Output, check_outputs
 from ..exit_status import end_if_late
 from ..language import language_options
@@ -36,11 +36,20 @@ Examples:
 @click.argument("scenario", type=FILE, nargs=-1, required=True)
 @click.option("--cases", help="Such as A,B,C: each scenario in each of these cases.")
 @output_option("page.html to write.", PAGES, is_text=True)
+@click.option(
+    "--baseline",
+    metavar="PLAN",
+    help="The plan that others of the same trips are set against: its number, from 1, or its "
+    "title; by default the first.",
+)
 @language_options
-def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
+def verb(
+    scenario: tuple[Path, ...], cases: str | None, output: Output, baseline: str | None
+) -> None:
     """Plan each SCENARIO, in one case or several, and write a page that shows them side by side.
 
-    Several scenarios must name one network; they may differ in anything else, as in [costs].
+    Several scenarios must name one network; they may differ in anything else, as in [costs]. Plans
+    of the same trips are compared; plans of other trips stand apart on the page, which says so.
     """
     from ...planning.scenario import read_scenario
     from ...report.pages.comparison import write_comparison
@@ -56,6 +65,8 @@ def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
     files = [file for each in scenarios for file in each.files]
     check_outputs([output], [*files, *existing_files(first.network["source"])])
     variants = [variant for each in scenarios for variant in _in_cases(each, cases)]
+    titles = [title for title, _ in variants]
+    base = _baseline(baseline, titles)
     with steps(2 + len(variants)) as begin:
         begin(f"loading {first.network['source']}")
         net = load_network(**first.network)
@@ -63,8 +74,8 @@ def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
         for title, each in variants:
             begin(f"planning {title}")
             plans.append(each.plan(net))
-        titles = [title for title, _ in variants]
-        write = partial(write_comparison, plans, net, titles=titles, title=first.title)
+        # The title of the page names all plans; cases of one scenario have that in common.
+        write = partial(write_comparison, plans, net, titles=titles, baseline=base)
         write_all([(output, write)], begin)
     say = speaker([output])
     for title, plan in zip(titles, plans, strict=True):
@@ -72,6 +83,19 @@ def verb(scenario: tuple[Path, ...], cases: str | None, output: Output) -> None:
     if output.path is not None:
         say(f"\nWritten: {output.path}")
     end_if_late(plans)
+
+
+def _baseline(asked: str | None, titles: list[str]) -> int:
+    """Return the position of the plan that others are set against."""
+    if asked is None:
+        return 0
+    if asked in titles:
+        return titles.index(asked)
+    if asked.isdecimal() and 1 <= int(asked) <= len(titles):
+        return int(asked) - 1
+    raise ScenarioError(
+        f"--baseline: {brief(asked)} is no plan; give 1 to {len(titles)}, or a title as it is shown"
+    )
 
 
 def _in_cases(scenario: Scenario, cases: str | None) -> Iterator[tuple[str, Scenario]]:

@@ -155,7 +155,13 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
                 bool(found.groups),
             )
         ),
-        cost_unit=CostLabel(found.unit.label, found.unit.note, fitted(plan.unit), found.unit.scale),
+        cost_unit=CostLabel(
+            found.unit.label,
+            found.unit.note,
+            fitted(plan.unit),
+            found.unit.scale,
+            found.unit.decimals,
+        ),
         totals=totals(found),
         vehicles=vehicles,
         groups=tuple(groups(found)),

@@ -53,12 +53,15 @@ class CostLabel:
         As the plan calls it, for files.
     scale : float
         Printed figure per figure of the document.
+    decimals : int
+        Of printed figures.
     """
 
     label: str
     note: str
     name: str
     scale: float = field(metadata=NOT_IN_JSON)
+    decimals: int = field(metadata=NOT_IN_JSON)
 
 
 @dataclass(frozen=True, slots=True)

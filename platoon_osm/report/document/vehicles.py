@@ -65,6 +65,8 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         detour = detour if detour > LAST_DIGITS * own.solo_cost else 0.0
         platoon_gain = saved + detour
     name = fitted(own.vehicle)
+    # Whose route nobody joins is no master.
+    role = own.role if any(leg.role == "platoon" for leg in own.legs) else "alone"
     costs = cost_texts(own.solo_cost, own.joint_cost, unit)
     inferred_m = own.inferred_m
     return Vehicle(
@@ -73,8 +75,8 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         colour=style.colour,
         dash=style.dash,
         cap=style.cap,
-        role=own.role,
-        role_text=role_text(own.role),
+        role=role,
+        role_text=role_text(role),
         origin=_stop(own.origin),
         destination=_stop(own.destination),
         length_m=own.length_m,

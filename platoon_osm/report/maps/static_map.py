@@ -77,13 +77,19 @@ SMALL_WIDTH, SMALL_HEIGHT = 640.0, 400.0
 SMALL_NETWORK_DATA = 40_000
 
 
-def small_maps(documents: Sequence[Document]) -> list[Piece]:
+def small_maps(
+    documents: Sequence[Document], key: str = "", network_data: int | None = None
+) -> list[Piece]:
     """Return a small still map of each document, all of the same part of the world.
 
     Parameters
     ----------
     documents : sequence of Document
         Of plans on one network.
+    key : str
+        Ends the ids, so that several sets of maps stand on one page.
+    network_data : int or None
+        Letters that the network may take.
 
     Returns
     -------
@@ -92,23 +98,28 @@ def small_maps(documents: Sequence[Document]) -> list[Piece]:
     """
     view = MapView(documents, SMALL_WIDTH, (SMALL_HEIGHT, SMALL_HEIGHT), margin=26.0)
     known = [view.pixels(line) for line in documents[0].basemap.known]
-    path = network_path(known, view.width, view.height, SMALL_NETWORK_DATA)
+    path = network_path(known, view.width, view.height, network_data or SMALL_NETWORK_DATA)
     maps: list[Piece] = []
     for document in documents:
         maps.append(
             Piece(
                 "small-map",
                 {
+                    "key": key,
                     "width": f"{view.width:g}",
                     "height": f"{view.height:g}",
                     "title": say(
                         "still-map.small", title=document.title, subtitle=document.subtitle
                     ),
-                    "ground": Piece("small-ground-again", {})
+                    "ground": Piece("small-ground-again", {"key": key})
                     if maps
-                    else Piece("small-ground", {"ground": ground_piece(documents[0], view)}),
+                    else Piece(
+                        "small-ground", {"key": key, "ground": ground_piece(documents[0], view)}
+                    ),
                     "towns": town_dots(document, view),
-                    "network": NOTHING if maps else Piece("small-network", {"path": path}),
+                    "network": NOTHING
+                    if maps
+                    else Piece("small-network", {"key": key, "path": path}),
                     **map_foreground(document, view, SMALL_NARROW, whole=False),
                 },
             )

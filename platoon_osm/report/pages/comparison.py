@@ -1,4 +1,4 @@
-"""Several plans side by side on one page: maps, one table, bars. Without any script."""
+"""Several plans on one page, those of the same trips compared: maps, tables, bars; no script."""
 
 from __future__ import annotations
 
@@ -10,22 +10,28 @@ from ...atomic_file import whole_file
 from ...network.road_network import RoadNetwork
 from ...output_paths import PAGES
 from ...plans.plan import Plan
+from ..document.alike_trips import AlikePlans
 from ..document.checks import check_path
 from ..document.model import Document
-from ..document.model_vehicle import Vehicle
-from ..document.side_by_side import SIDE_BY_SIDE, Comparison, comparison_of
+from ..document.side_by_side import Comparison, comparison_of
+from ..document.wording import joined
 from ..drawing.palette import CROWD
-from ..language.speech import speaking
+from ..language.speech import say, speaking
 from ..maps.static_map import small_maps
 from ..markup.fragments import NOTHING, Piece, Tree
-from ..markup.quantities import gain_or_loss, kilometres, litres, percent, true_minus
+from ..markup.quantities import gain_or_loss, percent, true_minus
 from ..markup.still_page import PAGE_STYLES, still_page
-from .page_pieces import badge, costs_of, figures, items, status_lines
+from .comparison_table import sums_table
+from .cost_table import cost_table
+from .page_pieces import badge, figures, items, late_mark, status_lines, unit_note
 
 __all__ = ["write_comparison"]
 
 MOST_BY_VEHICLE = 12
 """Vehicles in all plans together that are compared one by one; of more, only sums are."""
+
+MOST_BACKGROUND = 16_000
+"""Letters of the network under the maps of one of several sets of trips."""
 
 BARS_LEFT, BARS_RIGHT, BAR_ROW = 4.0, 480.0, 26
 
@@ -36,13 +42,16 @@ def write_comparison(
     path: str | os.PathLike[str],
     *,
     titles: Sequence[str] | None = None,
-    title: str = SIDE_BY_SIDE,
+    title: str | None = None,
+    baseline: int | str = 0,
     language: str | None = None,
     clock: int | None = None,
 ) -> None:
     """Write one page that sets plans of one network side by side; whole or not at all.
 
-    The same plans give the same bytes. The page has no script and asks the network for nothing.
+    Plans of the same trips are compared; those of other trips stand apart, each with its own
+    vehicles, which the page says. The same plans give the same bytes. The page has no script and
+    asks the network for nothing.
 
     Parameters
     ----------
@@ -54,8 +63,10 @@ def write_comparison(
         Of the file; missing folders are made.
     titles : sequence of str, or None
         Of the plans; by default their cases.
-    title : str
-        Heads the page.
+    title : str or None
+        Heads the page; by default the titles of all plans.
+    baseline : int or str
+        The position or the title of the plan that those of the same trips are set against.
     language : str or None
         That the texts are in, such as "de"; by default English.
     clock : int or None
@@ -64,47 +75,32 @@ def write_comparison(
     Raises
     ------
     ScenarioError
-        No plans, a plan of another network, or titles of another number.
+        No plans, a plan of another network, titles of another number, or no such baseline.
     """
     path = check_path(path)
     with speaking(language, clock):
-        page = _page(comparison_of(plans, net, titles=titles, title=title))
+        page = _page(comparison_of(plans, net, titles=titles, title=title, baseline=baseline))
     with whole_file(path, suffixes=PAGES) as draft:
         draft.write_text(page, encoding="utf-8", newline="\n")
 
 
 def _page(comparison: Comparison) -> str:
     plans = comparison.plans
-    cards = [
-        Piece(
-            "comparison-card",
-            {
-                "number": number,
-                "title": plan.title,
-                "map": drawing,
-                "figures": figures(plan.totals.figures),
-                "subtitle": plan.subtitle,
-                "status": status_lines(plan.status),
-            },
-        )
-        for number, (plan, drawing) in enumerate(zip(plans, small_maps(plans), strict=True), 1)
-    ]
-    unit = plans[0].cost_unit
-    notes = [*comparison.remarks, *([unit.note] if unit.note else [])]
     credits = list(dict.fromkeys(line for p in plans for line in p.provenance.credits))
+    several = len(comparison.sets) > 1
     body = Piece(
         "comparison",
         {
             "icons": Piece("icons"),
             "title": comparison.title,
             "subtitle": comparison.subtitle,
-            "keys": _keys(plans),
-            "cards": tuple(cards),
-            "unit": unit.label,
-            "rows": tuple(_row(plan) for plan in plans),
-            "notes": items(notes),
-            "bars": _bars(plans),
-            "by_vehicle": _by_vehicle(plans),
+            "remarks": tuple(
+                Piece("status", {"kind": "apart", "text": text}) for text in comparison.remarks
+            ),
+            "sets": tuple(
+                _set(found, plans, rank if several else 0)
+                for rank, found in enumerate(comparison.sets, 1)
+            ),
             "about": tuple(
                 Piece(
                     "comparison-about",
@@ -124,18 +120,70 @@ def _page(comparison: Comparison) -> str:
     return still_page(comparison.title, body, styles=(*PAGE_STYLES, "comparison.css"))
 
 
-def _vehicles(plans: Sequence[Document]) -> dict[str, Vehicle]:
-    """Return all vehicles of the plans by letter, each as in the first plan that has it."""
-    found: dict[str, Vehicle] = {}
-    for plan in plans:
-        for vehicle in plan.vehicles:
-            found.setdefault(vehicle.letter, vehicle)
-    return found
+def _set(found: AlikePlans, plans: tuple[Document, ...], rank: int) -> Piece:
+    """Return plans of the same trips; of one alone its vehicles, for it is compared with none."""
+    shown = tuple(plans[place] for place in found.plans)
+    key = f"-{rank}" if rank else ""
+    # Each set of trips has a background of its own, so their sizes add up.
+    maps = small_maps(shown, key, MOST_BACKGROUND if rank else None)
+    cards = tuple(
+        Piece(
+            "comparison-card",
+            {
+                "number": place + 1,
+                "title": plan.title,
+                "map": drawing,
+                "figures": figures(plan.totals.figures),
+                "subtitle": plan.subtitle,
+                "status": status_lines(plan.status),
+            },
+        )
+        for place, plan, drawing in zip(found.plans, shown, maps, strict=True)
+    )
+    titles = joined([plan.title for plan in shown])
+    heading = say("compare.set", number=rank, titles=titles) if rank else say("compare.plans")
+    unit = shown[0].cost_unit
+    alone = len(shown) == 1
+    return Piece(
+        "comparison-set",
+        {
+            "key": key,
+            "heading": heading,
+            "unseen": "" if rank else " unseen",
+            "keys": NOTHING if alone else _keys(shown[0]),
+            "cards": cards,
+            "single": " single" if alone else "",
+            "vehicles": _own_vehicles(shown[0], key) if alone else NOTHING,
+            "compared": NOTHING
+            if alone
+            else Piece(
+                "comparison-compared",
+                {
+                    "sums": sums_table(found, plans, key),
+                    "notes": items([*found.remarks, *([unit.note] if unit.note else [])]),
+                    "bars": _bars(shown, key),
+                    "by_vehicle": _by_vehicle(shown, key),
+                },
+            ),
+        },
+    )
 
 
-def _keys(plans: Sequence[Document]) -> Tree:
-    vehicles = _vehicles(plans).values()
-    return tuple(
+def _own_vehicles(plan: Document, key: str) -> Piece:
+    """Return what the vehicles of a plan cost that is compared with none."""
+    every = range(len(plan.vehicles))
+    table = cost_table(plan, every, say("table.all"), plan.totals.text, say("table.costs"))
+    return Piece(
+        "comparison-own",
+        {"key": key, "unit": plan.cost_unit.label, "table": table, "unit_note": unit_note(plan)},
+    )
+
+
+def _keys(plan: Document) -> Tree:
+    """Return the legend of plans of the same trips: the vehicles, unless they are a crowd."""
+    if len(plan.vehicles) > MOST_BY_VEHICLE:
+        return NOTHING
+    keys = tuple(
         Piece(
             "comparison-key",
             {
@@ -145,27 +193,12 @@ def _keys(plans: Sequence[Document]) -> Tree:
                 "destination": vehicle.destination.name,
             },
         )
-        for vehicle in list(vehicles)[:MOST_BY_VEHICLE]
+        for vehicle in plan.vehicles
     )
+    return Piece("comparison-keys", {"keys": keys})
 
 
-def _row(plan: Document) -> Piece:
-    totals = plan.totals
-    extra = f"{'+' if totals.extra_m > 0 else ''}{kilometres(totals.extra_m)}"
-    return Piece(
-        "comparison-row",
-        {
-            "title": plan.title,
-            "vehicles": len(plan.vehicles),
-            "road": kilometres(totals.platoon_road_m),
-            "extra": true_minus(extra),
-            "fuel": true_minus(litres(totals.fuel_saved_l)),
-            **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
-        },
-    )
-
-
-def _bars(plans: Sequence[Document]) -> Tree:
+def _bars(plans: Sequence[Document], key: str) -> Tree:
     """Return a bar per plan: the share saved, by vehicle; losses left of the line, hatched."""
     shares = [_shares(plan) for plan in plans]
     most = max(sum(max(own.share, 0.0) for own in one) for one in shares)
@@ -209,7 +242,8 @@ def _bars(plans: Sequence[Document]) -> Tree:
             )
         )
     return Piece(
-        "comparison-bars", {"height": 10 + (BAR_ROW + 18) * len(plans), "rows": tuple(rows)}
+        "comparison-bars",
+        {"key": key, "height": 10 + (BAR_ROW + 18) * len(plans), "rows": tuple(rows)},
     )
 
 
@@ -230,26 +264,25 @@ def _shares(plan: Document) -> list[_Share]:
     return [_Share(one.letter, one.colour, one.saved / alone) for one in vehicles]
 
 
-def _by_vehicle(plans: Sequence[Document]) -> Tree:
+def _by_vehicle(plans: Sequence[Document], key: str) -> Tree:
     """Return what each vehicle saves under each plan; nothing for a crowd."""
-    every = _vehicles(plans)
-    if len(every) > MOST_BY_VEHICLE:
+    if len(plans[0].vehicles) > MOST_BY_VEHICLE:
         return NOTHING
     rows = []
-    for letter, vehicle in every.items():
+    for vehicle in plans[0].vehicles:
         cells = []
         for plan in plans:
-            own = next((one for one in plan.vehicles if one.letter == letter), None)
-            if own is None:
-                cells.append(Piece("comparison-no-cell"))
-                continue
+            own = next(one for one in plan.vehicles if one.letter == vehicle.letter)
             cells.append(
                 Piece(
-                    "comparison-cell",
+                    "comparison-saved",
                     {
-                        "sign": gain_or_loss(own.saved),
+                        "sign": "even"
+                        if own.is_late and own.saved > 0
+                        else gain_or_loss(own.saved),
                         "saved": own.text.saved,
                         "share": own.text.share,
+                        "late": late_mark(own),
                     },
                 )
             )
@@ -259,6 +292,7 @@ def _by_vehicle(plans: Sequence[Document]) -> Tree:
                 {
                     "badge": badge(vehicle),
                     "cells": tuple(cells),
+                    "name": vehicle.name,
                     "origin": vehicle.origin.name,
                     "destination": vehicle.destination.name,
                 },
@@ -266,4 +300,6 @@ def _by_vehicle(plans: Sequence[Document]) -> Tree:
         )
     heads = tuple(Piece("comparison-head", {"title": plan.title}) for plan in plans)
     unit = plans[0].cost_unit.label
-    return Piece("comparison-vehicles", {"heads": heads, "rows": tuple(rows), "unit": unit})
+    return Piece(
+        "comparison-vehicles", {"key": key, "heads": heads, "rows": tuple(rows), "unit": unit}
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..document.model import Document
+from ..document.model import Document, Group
 from ..document.model_vehicle import CostTexts
 from ..drawing.crowd import CROWD
 from ..markup.fragments import NOTHING, Piece, Tree
@@ -61,7 +61,7 @@ def cost_table(
                     "destination": vehicle.destination.name,
                     "facts": facts,
                     "late": late_mark(vehicle),
-                    "costs": Piece(cells, costs_of(vehicle.text, vehicle.saved)),
+                    "costs": Piece(cells, costs_of(vehicle.text, vehicle.saved, vehicle.is_late)),
                 },
             )
         )
@@ -72,9 +72,17 @@ def cost_table(
             "total": total,
             "label": label,
             "density": (" compact" if len(rows) > CROWD else "") + wide_sums(text),
-            **costs_of(text, sum(vehicle.saved for vehicle in vehicles)),
+            **costs_of(
+                text,
+                sum(vehicle.saved for vehicle in vehicles),
+                any(vehicle.is_late for vehicle in vehicles),
+            ),
         },
     )
+
+
+def _is_late(document: Document, group: Group) -> bool:
+    return any(document.vehicles[index].is_late for index in group.vehicles)
 
 
 def wide_sums(text: CostTexts) -> str:
@@ -114,7 +122,7 @@ def overview(document: Document) -> Tree:
                 "number": number,
                 "name": group.name,
                 "facts": group.facts,
-                **costs_of(group.text, group.saved),
+                **costs_of(group.text, group.saved, _is_late(document, group)),
             },
         )
         for number, group in enumerate(document.groups)

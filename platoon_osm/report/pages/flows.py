@@ -282,7 +282,7 @@ def _platoons(document: Document) -> Tree:
                     "share": group.text.share,
                     "share_value": f"{saving:.6g}",
                     "members": members,
-                    "sign": gain_or_loss(saving),
+                    "sign": "even" if late and saving > 0 else gain_or_loss(saving),
                     "first": vehicles[0].origin.name,
                     "last": vehicles[0].destination.name,
                 },

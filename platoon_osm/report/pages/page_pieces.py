@@ -116,7 +116,7 @@ def figures(found: Iterable[Figure]) -> Tree:
     return tuple(Piece("figure", {**asdict(figure)}) for figure in found)
 
 
-def costs_of(text: CostTexts, saved: float) -> dict[str, str]:
+def costs_of(text: CostTexts, saved: float, late: bool = False) -> dict[str, str]:
     """Return printed costs as what fragments call them.
 
     Parameters
@@ -125,6 +125,8 @@ def costs_of(text: CostTexts, saved: float) -> dict[str, str]:
         Of a vehicle, a group or all.
     saved : float
         What they save, which gives it its colour.
+    late : bool
+        Whether it is no success, as somebody is late for it.
 
     Returns
     -------
@@ -132,7 +134,7 @@ def costs_of(text: CostTexts, saved: float) -> dict[str, str]:
         `sign`, `alone`, `joint`, `saved` and `share`.
     """
     return {
-        "sign": gain_or_loss(saved),
+        "sign": "even" if late and saved > 0 else gain_or_loss(saved),
         "alone": text.alone,
         "joint": text.joint,
         "saved": text.saved,

@@ -94,7 +94,11 @@ def _vehicles(document: Document) -> Piece:
             "wide": wide_sums(totals.text),
             "density": " compact" if len(groups) > CROWD else "",
             "groups": tuple(_group(document, number, group) for number, group in enumerate(groups)),
-            **costs_of(totals.text, totals.solo_cost - totals.joint_cost),
+            **costs_of(
+                totals.text,
+                totals.solo_cost - totals.joint_cost,
+                any(vehicle.is_late for vehicle in document.vehicles),
+            ),
         },
     )
 
