@@ -202,9 +202,14 @@ function arrangeNames(cover, bounds) {
   const found = [...namesHere()].map((one) => ({ ...one, latlng: L.latLng(one.lat / STEPS, one.lon / STEPS) }))
     .filter(({ latlng }) => bounds.contains(latlng))
     .map((one) => ({ ...one, at: map.latLngToLayerPoint(one.latlng) }));
-  // A name may touch one dot, its own.
-  for (const { at } of found) cover.addLine([at, at], DOT);
-  for (const { at, name, room, kind } of found) {
+  // A name may touch one dot, its own; but a town is worth more than the dots of junctions.
+  const dots = (wanted) => {
+    for (const { at, kind } of found) if (wanted === (kind === "junction")) cover.addLine([at, at], DOT);
+  };
+  dots(false);
+  const junctions = found.findIndex(({ kind }) => kind === "junction");
+  for (const [index, { at, name, room, kind }] of found.entries()) {
+    if (index === junctions) dots(true);
     const font = kind === "junction" ? "11px" : "12.5px";
     const w = Math.min(Math.ceil(textWidth(name, font)) + 2, LONGEST_NAME_PX) + 6;
     const place = nameChoices(at, w, 17).map((one) => ({ ...one, room })).find((one) =>
