@@ -95,4 +95,4 @@ def test_json_has_the_fields_of_the_records(plan: JointPlan, net: RoadNetwork) -
 
     compare(document, found)
     # What drawings alone need is not told to readers.
-    assert list(found["cost_unit"]) == ["label", "note"]
+    assert list(found["cost_unit"]) == ["label", "note", "name"]
