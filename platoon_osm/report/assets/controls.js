@@ -2,7 +2,7 @@
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function addControls({ map }, { showPlan }) {
 
-const { element, drawn } = pageElements;
+const { element, drawn, say } = pageElements;
 
 /* Back to the whole plan: a button beside the zoom buttons. */
 const Whole = L.Control.extend({
@@ -12,7 +12,7 @@ const Whole = L.Control.extend({
     const button = element("a", "whole");
     button.href = "#";
     button.setAttribute("role", "button");
-    button.title = "Show the whole plan";
+    button.title = say("whole");
     button.setAttribute("aria-label", button.title);
     button.append(drawn("svg", { viewBox: "0 0 16 16", width: 16, height: 16, "aria-hidden": true },
       drawn("path", {
@@ -29,7 +29,7 @@ const Whole = L.Control.extend({
   },
 });
 
-L.control.zoom({ position: "topleft" }).addTo(map);
+L.control.zoom({ position: "topleft", zoomInTitle: say("zoom-in"), zoomOutTitle: say("zoom-out") }).addTo(map);
 new Whole().addTo(map);
 L.control.scale({ position: "bottomleft", metric: true, imperial: false, maxWidth: 100 }).addTo(map);
 }

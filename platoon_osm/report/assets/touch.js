@@ -3,7 +3,7 @@
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function wireTouch({ map, frame }) {
 
-const { element } = pageElements;
+const { element, say } = pageElements;
 
 /* Half of 44 px, which a finger hits. */
 const NEAR_PX = 22;
@@ -29,7 +29,7 @@ frame.addEventListener("pointerdown", (event) => {
   else map.dragging.enable();
 }, true);
 
-const hint = element("div", "touch-hint", "Two fingers move the map");
+const hint = element("div", "touch-hint", say("two-fingers"));
 hint.setAttribute("aria-hidden", "true");
 frame.after(hint);
 let start = null;

@@ -6,6 +6,7 @@ content is put in by a figure that joins finished texts and renders none of them
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any
 
 import folium
@@ -54,6 +55,15 @@ class PageFigure(Figure):
             header=self.header.render(**kwargs),
             extra=self.html.render(**kwargs),
             script=self.script.render(**kwargs),
+        )
+
+    def _repr_html_(self, **kwargs: Any) -> str:
+        # branca's own frame has no title, which readers of screens say, and attributes in quotes.
+        title, page = escape(self._parts.document.title), escape(self.render(**kwargs))
+        width, height = self.width, self.height or "640px"
+        return (
+            f'<iframe title="{title}" srcdoc="{page}" width="{width}" height="{height}" '
+            'style="border: 0 !important" allowfullscreen></iframe>'
         )
 
 
