@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from ..shown_text import fitted
 from .clock import MENTIONED_S, duration
+from .cost_decimals import cost_decimals
 from .credits import credits_of
 from .leading import leading_text
 from .plan import Plan
@@ -140,7 +141,7 @@ def _first(lines: Sequence[str]) -> list[str]:
 
 
 def kilometre_equivalents(plan: Plan, cost: float) -> str:
-    """Return a cost as people read it: metre-equivalents as km, money with two digits.
+    """Return a cost as people read it, metre-equivalents as km, with as many decimals as on pages.
 
     Parameters
     ----------
@@ -154,7 +155,8 @@ def kilometre_equivalents(plan: Plan, cost: float) -> str:
     str
         Without the unit.
     """
-    return f"{cost / 1000:,.0f}" if plan.unit == "m" else f"{cost:,.2f}"
+    decimals = cost_decimals(plan.unit, plan.solo_cost)
+    return f"{cost / 1000 if plan.unit == 'm' else cost:,.{decimals}f}"
 
 
 def _times(timetable: Timetable, times: VehicleTimes) -> list[str]:

@@ -43,9 +43,9 @@ def test_table_points_and_proof(road):
     ]
     assert set(rule) == set(rule_again) == {"-"}
     # 30 km alone cost 92.5 equivalents; 10 of them in a platoon save 9.357.
-    assert first.split()[-8:] == ["92", "83", "10.1%", "30", "9", "0.4", "10", "km"]
-    assert second.split()[-8:] == ["92", "83", "10.1%", "30", "9", "0.4", "10", "km"]
-    assert total.split() == ["total", "185", "166", "10.1%", "60", "18", "0.8", "20", "km"]
+    assert first.split()[-8:] == ["92.5", "83.1", "10.1%", "30", "9", "0.4", "10", "km"]
+    assert second.split()[-8:] == ["92.5", "83.1", "10.1%", "30", "9", "0.4", "10", "km"]
+    assert total.split() == ["total", "185.0", "166.3", "10.1%", "60", "18", "0.8", "20", "km"]
     assert "Alone all would drive 60 km with 19 litres of fuel in 0.8 hours." in lines
     where = [road[0].place_name(node) for node in (1, 2)]
     assert (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...plans.clock import whole_minutes
+from ...plans.cost_decimals import cost_decimals
 from ...shown_text import shortened, shown
 from ..language.speech import number, say
 
@@ -215,13 +216,6 @@ class CostUnit:
         return f"{self.before}{self.bare(cost)}{self.after}"
 
 
-LARGE = 10_000.0
-"""Costs from here on are printed without decimals, and so are all beside them."""
-
-WHOLE = frozenset({"CLP", "ISK", "JPY", "KRW", "PYG", "UGX", "VND", "XAF", "XOF"})
-"""Money that has no coins below its unit."""
-
-
 def cost_unit(unit: str, largest: float = 0.0) -> CostUnit:
     """Return how costs of a plan are printed.
 
@@ -237,12 +231,11 @@ def cost_unit(unit: str, largest: float = 0.0) -> CostUnit:
     CostUnit
         How they are printed.
     """
+    decimals = cost_decimals(unit, largest)
     if unit == "m":
         label = say("unit.km")
         after = "\u00a0" + label.replace(" ", "\u00a0")
-        decimals = 0 if abs(largest) * 1e-3 >= LARGE else 1
         return CostUnit(label, say("unit.km-note"), 1e-3, decimals, "", after)
-    decimals = 0 if abs(largest) >= LARGE or unit in WHOLE else 2
     if unit == "EUR":
         return CostUnit("\u20ac", "", 1.0, decimals, "\u20ac", "")
     name = shortened(shown(unit), 12)
