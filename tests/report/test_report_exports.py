@@ -175,7 +175,7 @@ def test_a_plan_explores_itself(
 
 
 def test_a_notebook_shows_the_table_of_a_plan(plan: JointPlan) -> None:
-    rows = re.findall(r"<tr>(.*?)</tr>", plan._repr_html_())
+    rows = re.findall(r"<tr>(.*?)</tr>", plan._repr_html_().replace("\n", ""))
     cells = [re.sub("<[^>]*>", "|", row).replace("||", "|") for row in rows]
     assert [cell.strip("|").split("|")[0] for cell in cells] == [
         "Vehicle", "A", "B", "C", "All vehicles",

@@ -141,7 +141,7 @@ def test_search_by_keyboard(pages: Callable[[str], Path], visit: Visit) -> None:
     # Who asks for calm is taken there at once.
     opened = visit(pages("fifty vehicles"), reduced_motion="reduce")
     page = opened.page
-    field = page.get_by_role("combobox")
+    field = page.get_by_role("combobox", name="Find")
     field.fill("truck 12")
     options = page.get_by_role("option")
     assert options.count() == 1
@@ -173,7 +173,7 @@ def test_what_is_found_is_text(visit: Visit, tmp_path: Path) -> None:
     write_html(make_plan(net, THREE, spoilt), net, path)
     opened = visit(path)
     page = opened.page
-    field = page.get_by_role("combobox")
+    field = page.get_by_role("combobox", name="Find")
     for wanted in ("onerror", "A<img", "Genova"):
         field.fill(wanted)
         assert page.get_by_role("option").count() > 0
@@ -322,7 +322,7 @@ def test_discs_are_where_vehicles_are(
 @browser
 def test_who_is_lifted_out_has_its_disc_on_top(pages: Callable[[str], Path], visit: Visit) -> None:
     page = visit(pages("fifty vehicles")).page
-    page.get_by_role("combobox").fill("truck 5")
+    page.get_by_role("combobox", name="Find").fill("truck 5")
     page.keyboard.press("Enter")
     page.locator(".journey input").evaluate(
         "e => { e.value = e.max * 0.4; e.dispatchEvent(new Event('input')); }"

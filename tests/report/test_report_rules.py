@@ -21,7 +21,8 @@ HEX = re.compile(r"#[0-9a-fA-F]{6}\b|#[0-9a-fA-F]{3}\b")
 
 def test_colours_stand_in_the_palette_alone() -> None:
     for path in REPORT.rglob("*.py"):
-        if path.name != "palette.py":
+        # A style for QGIS is a page of another program, written as that program has it.
+        if path.name not in ("palette.py", "qgis_styles.py"):
             assert HEX.findall(path.read_text(encoding="utf-8")) == [], path
 
 
@@ -33,7 +34,7 @@ def test_colours_stand_in_the_palette_alone() -> None:
         (palette.PLATOON, ["schedule.html", "map.svg.html", "routes.js"]),
         (palette.PLATOON_CASING, ["schedule.html", "map.svg.html", "routes.js"]),
         (palette.FRAME, ["map.svg.html"]),
-        (palette.LATE, ["theme.css", "schedule.html"]),
+        (palette.LATE, ["theme.css", "time_distance.html", "marks.js"]),
         (palette.CASING, ["map.svg.html", "theme.css"]),
         (palette.CROWD, ["marks.js"]),
     ],

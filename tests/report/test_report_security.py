@@ -116,7 +116,7 @@ def test_nothing_runs_in_the_other_pages(
         assert ends[:2] == [fitted(first.origin.name), fitted(first.destination.name)]
         page.get_by_role("searchbox").fill(one)
     else:
-        heads = page.locator(".card h2").all_text_contents()
+        heads = page.locator(".card h3").all_text_contents()
         assert heads == [fitted(name) or "Plan" for name in titles]
     assert page.evaluate("window.hacked") is None
     assert page.evaluate("document.documentElement.scrollWidth") <= 1440
