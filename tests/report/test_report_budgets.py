@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
@@ -172,3 +173,15 @@ def test_a_page_holds_no_comments(name: str) -> None:
     assert "/*" not in compact
     assert "\n//" not in compact
     assert json.dumps(compact)
+
+
+@pytest.mark.parametrize("name", [*SCRIPTS, "flows.js"])
+def test_texts_of_scripts_keep_their_blanks(name: str) -> None:
+    """The minifier loses blanks of a template within a template, so there are none."""
+    template = re.compile(r"`(?:[^`\\]|\\.)*`")
+    texts = template.findall(re.sub(r"^\s*(//.*|/?\*.*)$", "", asset(name), flags=re.MULTILINE))
+    assert [text for text in texts if re.search(r"\$\{[^}]*$", text)] == []
+    compact = template.findall(compact_asset(name))
+    # Within ${} blanks say nothing.
+    bare = [[re.sub(r"\$\{[^}]*\}", "$", text) for text in found] for found in (texts, compact)]
+    assert bare[0] == bare[1]

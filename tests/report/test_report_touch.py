@@ -152,7 +152,7 @@ def test_one_finger_scrolls_the_page_and_is_told_of_two(pages: Pages) -> None:
 
 def test_two_fingers_move_and_zoom_the_map_and_not_the_page(pages: Pages) -> None:
     page = pages.open("three vehicles", (390, 844))
-    zoom, lat, lon, _ = page.evaluate(VIEW)
+    zoom, _lat, lon, _ = page.evaluate(VIEW)
     steps = [[(150 + s, 330), (250 + s, 330)] for s in range(0, 61, 15)]
     fingers(page, *steps)
     page.wait_for_function("lon => map_plan.getCenter().lng < lon - 0.1", arg=lon)
@@ -179,7 +179,7 @@ def test_a_mark_chooses_its_row_without_scrolling_a_page(pages: Pages, tmp_path:
     page = pages.open("three vehicles", (1180, 500))
     page.locator(".event-mark").last.dispatch_event("click")
     row = page.locator(".event[aria-current]").bounding_box()
-    assert 0 <= row["y"]
+    assert row["y"] >= 0
     assert row["y"] + row["height"] <= 500 + 1
     page = pages.open("three vehicles", (390, 844))
     page.locator(".event-mark").last.dispatch_event("click")

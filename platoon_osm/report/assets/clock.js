@@ -19,7 +19,8 @@ const offset = (at) => (offsets.filter(([from]) => from <= at + NEAR).pop() ?? o
 function named(found) {
   const minutes = Math.round(Math.abs(found) / 60);
   const rest = minutes % 60;
-  return `UTC${found < 0 ? "-" : "+"}${Math.floor(minutes / 60)}${rest ? `:${String(rest).padStart(2, "0")}` : ""}`;
+  const part = rest ? ":" + String(rest).padStart(2, "0") : "";
+  return `UTC${found < 0 ? "-" : "+"}${Math.floor(minutes / 60)}${part}`;
 }
 
 function text(seconds) {
@@ -35,7 +36,8 @@ function text(seconds) {
   const time = clock === 12
     ? `${((hour + 11) % 12) + 1}:${two(minute % 60)}\u00a0${say(hour >= 12 ? "pm" : "am")}`
     : `${two(hour)}:${two(minute % 60)}`;
-  return `${time}${days ? ` ${days > 0 ? "+" : ""}${days} ${say("day")}` : ""}${twice ? ` ${named(here)}` : ""}`;
+  const later = days ? ` ${days > 0 ? "+" : ""}${days} ${say("day")}` : "";
+  return time + later + (twice ? " " + named(here) : "");
 }
 
 /* The piece a vehicle is on, as its number in the way, the share of it that is driven, and what the

@@ -163,7 +163,7 @@ function ics(chosen) {
         `DTSTAMP:${clock.utc(0).replace(/[-:]/g, "")}`,
         `DTSTART:${stamp(one.at_s)}`,
         ...(one.end_s === undefined ? [] : [`DTEND:${stamp(one.end_s)}`]),
-        `SUMMARY:${escaped(`${name}: ${one.title}, ${one.name}`)}`,
+        "SUMMARY:" + escaped(`${name}: ${one.title}, ${one.name}`),
         `LOCATION:${escaped(one.name)}`,
         `GEO:${one.lat};${one.lon}`,
         `DESCRIPTION:${escaped([one.text, one.detail, credits].filter(Boolean).join("\n"))}`,

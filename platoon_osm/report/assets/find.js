@@ -25,7 +25,8 @@ let entries = null;
 function everything() {
   const vehicles = plan.vehicles.map((vehicle, index) => ({
     kind: "vehicle", name: vehicle.name || vehicle.letter,
-    more: `${vehicle.name ? `${vehicle.letter}, ` : ""}${vehicle.origin.name} \u2192 ${vehicle.destination.name}`,
+    more: (vehicle.name ? vehicle.letter + ", " : "") +
+      `${vehicle.origin.name} \u2192 ${vehicle.destination.name}`,
     choose: () => showVehicle(index),
   }));
   const events = plan.events.map((event, index) => ({
