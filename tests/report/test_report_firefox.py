@@ -34,7 +34,7 @@ def test_firefox_shows_a_plan(firefox: Firefox, kind: str, tmp_path: Path) -> No
         assert firefox.evaluate(MAP_FAULTS) == []
         asked = firefox.evaluate("() => performance.getEntriesByType('resource').map(e => e.name)")
         assert asked == []
-    # Marks of events stand where the plan says, but for those moved aside.
+    # Marks of events stand where the plan says.
     events = report_document(plan, net)["events"]
     places = firefox.evaluate(
         """() => {
@@ -46,7 +46,13 @@ def test_firefox_shows_a_plan(firefox: Firefox, kind: str, tmp_path: Path) -> No
           return found;
         }"""
     )
-    assert sorted(places) == sorted([event["lon"], event["lat"]] for event in events)
+    wanted = [[event["lon"], event["lat"]] for event in events]
+    if len(plan.vehicles) <= 8:
+        assert sorted(places) == sorted(wanted)
+    else:
+        # Of a crowd, events near one another are one mark at the place of one of them.
+        assert places
+        assert all(place in wanted for place in places)
 
 
 def test_firefox_allows_all_that_the_page_does(firefox: Firefox, tmp_path: Path) -> None:

@@ -18,7 +18,8 @@ MAP_FAULTS = """() => {
     .map((e) => [e.getAttribute('aria-label') || e.className, e.getBoundingClientRect()])
     .filter(([, b]) => b.width && b.height);
   const covers = boxes(
-    '.map .legend-button, .map .legend, .map .leaflet-control, .map .credit, .map .journey');
+    '.map .legend-button, .map .legend, .map .leaflet-control, .map .credit, .map .journey, '
+    + '.map .chosen');
   const found = [];
   for (const [name, b] of boxes('.mark.end, .mark.event-mark')) {
     if (b.left < view.left || b.top < view.top || b.right > view.right || b.bottom > view.bottom) {

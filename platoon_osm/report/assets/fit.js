@@ -15,7 +15,7 @@ const LEGEND_LEVELS = 0.45;
 
 const legendBox = document.querySelector(".legend-box");
 const legendButton = legendBox.querySelector(".legend-button");
-const COVERS = ".map .legend-box, .map .leaflet-control, .map .credit, .map .journey";
+const COVERS = ".map .legend-box, .map .leaflet-control, .map .credit, .map .journey, .map .chosen";
 
 // -- what is shown, in pixels of the whole world at zoom 0 ----------------------------------------
 

@@ -43,7 +43,7 @@ function arrange() {
   }
   for (const box of marks.boxes()) cover.addBox(box, SOLID);
   const base = frame.getBoundingClientRect();
-  for (const part of document.querySelectorAll(".map .legend-box, .leaflet-control, .map .credit, .journey")) {
+  for (const part of document.querySelectorAll(".map .legend-box, .leaflet-control, .map .credit, .journey, .map .chosen")) {
     const box = part.getBoundingClientRect();
     const at = map.containerPointToLayerPoint([box.left - base.left, box.top - base.top]);
     cover.addBox({ x: at.x - 4, y: at.y - 4, w: box.width + 8, h: box.height + 8 }, SOLID);

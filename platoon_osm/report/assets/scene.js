@@ -17,6 +17,8 @@ const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
 const ROUTE_STEPS = 1e5;
 
 document.documentElement.classList.add("live");
+// folium gives these to tiles alone; beyond them a view is nothing but work.
+map.setMinZoom(3).setMaxZoom(18);
 // Until now the page was laid out to be read without a script, and the map was measured in it.
 map.invalidateSize({ pan: false });
 

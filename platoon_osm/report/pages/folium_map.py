@@ -101,8 +101,6 @@ class PlanMap(folium.Map):
             zoom_snap=0.25,
             zoom_delta=1,
             wheel_px_per_zoom_level=90,
-            max_zoom=18,
-            min_zoom=3,
             world_copy_jump=False,
             # The page watches its frame itself, which may change without the window.
             track_resize=False,
