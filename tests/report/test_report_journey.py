@@ -188,4 +188,4 @@ def test_fatigue_chart_notes_its_range(page_file: Path, visit: Visit) -> None:
     page = visit(page_file).page
     chart = page.get_by_role("img", name="Highest fatigue")
     assert chart.locator("polyline").count() == 6
-    assert "They hold up to 4 h 30" in page.locator("#panel").inner_text()
+    assert "Beyond 4 h 30 of driving the last value is kept." in page.locator("#panel").inner_text()

@@ -26,6 +26,9 @@ SAME_EVERYWHERE = re.compile(
 )
 """Words that are the same in other languages too."""
 
+SAME_IN = {"it": {"In platoon"}}
+"""Whole texts of a language that are spelt as the English ones are."""
+
 KINDS = (
     "three vehicles", "without times", "one vehicle", "all are late", "fifty vehicles",
     "over several days",
@@ -138,7 +141,7 @@ def test_still_pages_leave_no_english_word(kind: str, tmp_path: Path) -> None:
         for page, html in pages_of(kind, tmp_path, language).items():
             assert f'<html lang="{language}"' in html
             left = left_over(texts_of(english[page]), texts_of(html), names)
-            assert left == set(), (page, language)
+            assert left <= SAME_IN.get(language, set()), (page, language)
 
 
 @pytest.mark.parametrize("kind", ["three vehicles", "all are late", "without times"])
