@@ -148,10 +148,18 @@ def _offers(
 def _without(draft: Draft, vehicle: int, order: Order) -> Draft:
     """Return the draft of the others; the vehicle itself drives nothing."""
 
+    # Whole crowds name one company on each of their edges: each is told apart only once.
+    known: dict[Company, Company] = {}
+
     def others(company: Company) -> Company:
-        if vehicle not in company:
-            return company
-        return order.company(one for one in company if one != vehicle)
+        rest = known.get(company)
+        if rest is None:
+            rest = known[company] = (
+                order.company(one for one in company if one != vehicle)
+                if vehicle in company
+                else company
+            )
+        return rest
 
     companies = [[others(company) for company in own] for own in draft.companies]
     companies[vehicle] = []
