@@ -162,6 +162,8 @@ def test_nonsense_is_refused_in_one_line(
     places = _places(name)
     for argument in right:
         for wrong in nonsense:
+            if (name, argument, wrong is None) == ("run_study", "study", True):
+                continue  # a good value: the paper's study, of 100 runs
             asked = {**right, argument: wrong}
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")

@@ -39,7 +39,7 @@ def test_a_plan_interrupted_at_any_moment(tmp_path):
     Path("a.html").write_text("old")
     before = files()
     draw = random.Random(7)
-    for number in range(14):
+    for number in range(8):
         process = start("plan", "plan.toml", *ALL)
         try:
             _, said = process.communicate(timeout=draw.uniform(0.8, 6.0))
@@ -88,7 +88,7 @@ def test_an_interrupted_study_says_what_is_kept(tmp_path):
 
 def test_equal_runs_give_equal_bytes():
     made = []
-    for seed in ("0", "1", "77"):
+    for seed in ("0", "77"):
         asked = [word.replace("new/", f"{seed}/") for word in ALL]
         names = [f"{seed}-{word}" if word.startswith(("a.", "f.")) else word for word in asked]
         process = start("plan", scenario(), *names, PYTHONHASHSEED=seed)
