@@ -10,7 +10,13 @@ from marionette import FIREFOX, Firefox
 from page_boxes import MAP_FAULTS
 from plan_kinds import plan_kind
 
-from platoon_osm.report import report_document, write_comparison, write_flows, write_html
+from platoon_osm.report import (
+    report_document,
+    write_comparison,
+    write_flows,
+    write_html,
+    write_sheets,
+)
 
 pytestmark = pytest.mark.browser
 
@@ -81,9 +87,20 @@ def test_firefox_shows_the_other_pages(firefox: Firefox, tmp_path: Path) -> None
     plan, net = plan_kind("three vehicles")
     write_flows(plan, net, tmp_path / "flows.html")
     write_comparison([plan, plan], net, tmp_path / "compare.html")
-    for name in ("flows", "compare"):
+    write_sheets(plan, net, tmp_path / "sheets.html")
+    for name in ("flows", "compare", "sheets"):
         firefox.open((tmp_path / f"{name}.html").as_uri(), 1200, 800)
         wide = firefox.evaluate(
             "() => document.documentElement.scrollWidth - document.documentElement.clientWidth"
         )
         assert wide <= 0
+    # A driver's page each, with the map drawn, in a page that has no script at all.
+    shown = firefox.evaluate(
+        """() => [...document.querySelectorAll('.sheet')].map((sheet) => [
+          sheet.getBoundingClientRect().height > 900,
+          sheet.querySelector('h1').textContent,
+          [...sheet.querySelectorAll('svg path')].some((path) => path.getTotalLength() > 100),
+        ])"""
+    )
+    assert shown == [[True, vehicle.vehicle, True] for vehicle in plan.vehicles]
+    assert firefox.evaluate("() => document.scripts.length") == 0

@@ -14,7 +14,7 @@ from plan_kinds import plan_kind
 
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.plan import JointPlan
-from platoon_osm.report import write_comparison, write_flows, write_html
+from platoon_osm.report import write_comparison, write_flows, write_html, write_sheets
 from platoon_osm.report.drawing import palette
 from platoon_osm.report.markup.fragments import asset
 
@@ -132,11 +132,13 @@ def pages(
     plan: JointPlan, two: JointPlan, net: RoadNetwork, tmp_path_factory: pytest.TempPathFactory
 ) -> dict[str, Path]:
     folder = tmp_path_factory.mktemp("pages")
-    made = {name: folder / f"{name}.html" for name in ("late", "two", "comparison", "flows")}
+    names = ("late", "two", "comparison", "flows", "sheets")
+    made = {name: folder / f"{name}.html" for name in names}
     write_html(*plan_kind("all are late"), made["late"])
     write_html(two, net, made["two"])
     write_comparison([plan, plan], net, made["comparison"], titles=["One", "Two"])
     write_flows(two, net, made["flows"])
+    write_sheets(*plan_kind("all are late"), made["sheets"])
     return made
 
 
@@ -144,7 +146,7 @@ VIEWS = [(1440, "light"), (900, "light"), (390, "light"), (1440, "dark"), (390, 
 
 
 @browser
-@pytest.mark.parametrize("name", ["late", "two", "comparison", "flows"])
+@pytest.mark.parametrize("name", ["late", "two", "comparison", "flows", "sheets"])
 def test_axe_finds_no_serious_or_moderate_fault(
     name: str, pages: dict[str, Path], visit: Visit
 ) -> None:
@@ -152,7 +154,8 @@ def test_axe_finds_no_serious_or_moderate_fault(
     page = visit(pages[name], 1440, 900, wait_for="h1", reduced_motion="reduce").page
     page.evaluate((files("axe_playwright_python") / "axe.min.js").read_text("utf-8"))
     faults = []
-    for width, scheme in VIEWS:
+    # A sheet is paper, the same by day and by night.
+    for width, scheme in [VIEWS[0], VIEWS[2]] if name == "sheets" else VIEWS:
         page.set_viewport_size({"width": width, "height": 900})
         page.emulate_media(color_scheme=scheme)
         found = page.evaluate("axe.run(document, {resultTypes: ['violations']})")
