@@ -22,6 +22,7 @@ from shapely import hausdorff_distance
 
 import platoon_osm as po
 from platoon_osm.csv_tables import safe_cell
+from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.plans.plan import Plan
 from platoon_osm.report.exports.file_names import file_stems
 
@@ -166,23 +167,67 @@ def test_the_document_is_saved_but_for_what_charts_alone_show(
     assert document["format"] == "platoon_osm report"
 
 
-def test_the_calendar_of_the_page_has_the_moments_of_the_plan(
-    shown_plan: Callable[..., Any],
+def entries(data: bytes) -> list[tuple[str, datetime, datetime | None]]:
+    """What a calendar knows its events by, and when they begin and end."""
+    return [
+        (
+            str(event["uid"]),
+            event.decoded("dtstart"),
+            event.decoded("dtend") if "dtend" in event else None,
+        )
+        for event in Calendar.from_ical(data).walk("VEVENT")
+    ]
+
+
+def namesakes() -> Plan:
+    """Vehicles of one name that go the same way, in a script of more bytes than characters."""
+    plan, _ = plan_kind("the same trip thrice")
+    assert plan.timetable is not None
+    # The name is longer than what pages show of it.
+    trips = tuple(replace(trip, vehicle="\u8d27\u8f66" * 250 + trip.vehicle) for trip in plan.trips)
+    table = plan.timetable
+    times = tuple(
+        replace(one, vehicle=trip.vehicle) for one, trip in zip(table.vehicles, trips, strict=True)
+    )
+    return replace(plan, trips=trips, timetable=replace(table, vehicles=times))
+
+
+def waits() -> Plan:
+    """All leave at six, whatever the others do, and so wait on the road."""
+    plan, _ = plan_kind("without times")
+    six = datetime(2026, 3, 2, 6)
+    trips = [po.Trip(one.vehicle, 0, 1, six, six, six + timedelta(hours=16)) for one in plan.trips]
+    return with_times(plan, trips)
+
+
+def test_the_calendar_of_the_page_is_that_of_the_sheets(
+    shown_plan: Callable[..., Any], tmp_path: Path
 ) -> None:
-    plan, net = plan_kind("over several days")
-    for made in (plan, zoned(plan)):
+    """Who takes both has every event once."""
+    _, net = plan_kind("three vehicles")
+    days, eight = plan_kind("over several days")[0], plan_kind("eight vehicles")[0]
+    kinds = set()
+    for number, made in enumerate((days, zoned(days), eight, zoned(waits()), namesakes())):
         assert made.timetable is not None
         opened = shown_plan(made, net)
-        for index, times in enumerate(made.timetable.vehicles):
+        folder = tmp_path / str(number)
+        written = po.write_sheets(made, net, folder, language="de")
+        sheets = [path.read_bytes() for path in written if path.suffix == ".ics"]
+        uids: list[str] = []
+        for index, (times, theirs) in enumerate(zip(made.timetable.vehicles, sheets, strict=True)):
             _, data = saved(opened, "ics", index)
             assert all(len(line) <= 75 for line in data.split(b"\r\n"))
-            events = Calendar.from_ical(data).walk("VEVENT")
-            begins = [event.decoded("dtstart") for event in events]
+            found = entries(data)
+            assert found == entries(theirs)
+            begins = [begin for _, begin, _ in found]
             clock = made.timetable.clock
             assert abs(begins[0] - clock.moment(times.departure_s)) <= SECOND
             assert abs(begins[-1] - clock.moment(times.arrival_s)) <= SECOND
             assert begins == sorted(begins)
-            assert len({str(event["uid"]) for event in events}) == len(events)
+            uids += [uid for uid, *_ in found]
+        assert len(set(uids)) == len(uids)
+        kinds |= {uid.split("-")[1] for uid in uids}
+    assert kinds == {"start", "merge", "separation", "wait", "end"}
     assert opened.page.locator("[data-file='ics']").count() == 1
 
 

@@ -24,6 +24,7 @@ for (const [index, vehicle] of plan.vehicles.entries()) {
 
 const made = {
   ...files,
+  ics: planCalendar({ ...scene, ...legs }),
   json: () => JSON.stringify(plan, null, 1),
 };
 

@@ -1,4 +1,4 @@
-/* Files of some vehicles as text: CSV, GeoJSON, GPX and a calendar. Other people's names are
+/* Files of some vehicles as text: CSV, GeoJSON and GPX. Other people's names are
  * escaped as each format has it; what a spreadsheet would run gets an apostrophe (csv_tables.py). */
 // oxlint-disable-next-line no-unused-vars -- data.js calls it; the page holds both.
 const planFiles = ({ plan, clock, credits, nameOf, legsOf }) => {
@@ -117,63 +117,6 @@ function gpx(chosen) {
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(file)}\n`;
 }
 
-// -- the calendar (RFC 5545) --------------------------------------------------------------------
-
-const escaped = (text) => text.replace(/[\\;,]/g, "\\$&").replaceAll("\n", "\\n");
-
-/* A line of more than 75 octets goes on behind a line end and a blank. */
-function folded(line) {
-  const bytes = new TextEncoder();
-  let size = 0;
-  let text = "";
-  for (const character of line) {
-    const more = bytes.encode(character).length;
-    if (size + more > 75) {
-      text += "\r\n ";
-      size = 1;
-    }
-    text += character;
-    size += more;
-  }
-  return `${text}\r\n`;
-}
-
-/* In UTC where the plan's times have a zone, else as the clocks there show it. */
-const stamp = (at) =>
-  (clock.zoned ? clock.utc(at) : clock.iso(at)).replace(/[-:]/g, "");
-
-function ics(chosen) {
-  const lines = ["BEGIN:VCALENDAR", "VERSION:2.0", "PRODID:-//platoon_osm//page//EN"];
-  const day = clock.iso(plan.schedule.begin_s).slice(0, 10);
-  for (const index of chosen) {
-    const vehicle = plan.vehicles[index];
-    const name = nameOf(vehicle);
-    const entries = pointsOf(index).flatMap((point) => {
-      const { spans, departure_s: departure } = vehicle.times;
-      const next = spans.findIndex(([begin]) => Math.abs(begin - point.at_s) < 0.2);
-      const came = next > 0 ? spans[next - 1][1] : departure;
-      const waits = point.kind === "merge" && next >= 0 && point.at_s - came >= 30;
-      const wait = { ...point, kind: "wait", title: say("waits"), at_s: came, end_s: point.at_s };
-      return waits ? [wait, point] : [point];
-    });
-    entries.forEach((one, i) => {
-      lines.push(
-        "BEGIN:VEVENT",
-        `UID:${fileStem(name)}-${index + 1}-${day}-${one.kind}-${i}@platoon-osm-page`,
-        `DTSTAMP:${clock.utc(0).replace(/[-:]/g, "")}`,
-        `DTSTART:${stamp(one.at_s)}`,
-        ...(one.end_s === undefined ? [] : [`DTEND:${stamp(one.end_s)}`]),
-        "SUMMARY:" + escaped(`${name}: ${one.title}, ${one.name}`),
-        `LOCATION:${escaped(one.name)}`,
-        `GEO:${one.lat};${one.lon}`,
-        `DESCRIPTION:${escaped([one.text, one.detail, credits].filter(Boolean).join("\n"))}`,
-        "END:VEVENT",
-      );
-    });
-  }
-  return [...lines, "END:VCALENDAR"].map(folded).join("");
-}
-
 // -- names of files -----------------------------------------------------------------------------
 
 const DEVICES = /^(con|prn|aux|nul|conin\$|conout\$|clock\$|(com|lpt)\d)$/;
@@ -190,5 +133,5 @@ function fileStem(name) {
   return DEVICES.test(stem) ? `vehicle-${stem}` : stem;
 }
 
-return { csv, geojson, gpx, ics, fileStem };
+return { csv, geojson, gpx, fileStem };
 };

@@ -46,6 +46,7 @@ SCRIPTS = (
     "journey.js",
     "data_legs.js",
     "data_files.js",
+    "data_calendar.js",
     "data.js",
     "page.js",
 )

@@ -3,16 +3,18 @@
 Moments are in UTC where the plan's times have a zone, else local and without one, as the plan's
 are. Nothing depends on the hour of writing: an event is known by journey, day, kind and number, so
 that a calendar renews it when the plan is made again, and all are stamped with one moment that the
-caller names.
+caller names. The button of a plan's page (assets/data_calendar.js) makes the same entries, with the
+same moments and names, so that who takes both has each once.
 """
 
 from __future__ import annotations
 
-import hashlib
+import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 
-from ...plans.clock import Clock
+from ...plans.clock import MENTIONED_S, Clock
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
 from ..language.speech import say
@@ -56,24 +58,22 @@ def calendar(
 
     assert plan.timetable is not None
     clock = plan.timetable.clock
-    trip = plan.trips[index]
+    name = fitted(plan.trips[index].vehicle)
     made = Calendar()
     made.add("prodid", f"-//platoon_osm//{shown(plan.version) or '0'}//EN")
     made.add("version", "2.0")
     made.add("calscale", "GREGORIAN")
-    made.add("x-wr-calname", fitted(trip.vehicle))
-    known = [
-        plan.network.identity, trip.vehicle, trip.origin.name, trip.destination.name,
-        f"{clock.moment(plan.timetable.vehicles[index].departure_s):%Y-%m-%d}",
-    ]  # fmt: skip
+    made.add("x-wr-calname", name)
+    journey, seen = _journey(plan, index, clock), Counter[str]()
     for kind, number, begin_s, end_s, what in _entries(steps, words):
         event, said = Event(), words[number]
-        event.add("uid", _uid([*known, kind, str(number)]))
+        seen[kind] += 1
+        event.add("uid", f"{journey}-{kind}-{seen[kind]}@platoon-osm")
         event.add("dtstamp", stamp)
         event.add("dtstart", _moment(clock, begin_s))
         if end_s is not None:
             event.add("dtend", _moment(clock, end_s))
-        event.add("summary", f"{fitted(trip.vehicle)}: {what}")
+        event.add("summary", f"{name}: {what}")
         event.add("location", said.place)
         place = steps[number].place
         event.add("geo", (round(place.lat, 6), round(place.lon, 6)))
@@ -90,19 +90,50 @@ def _entries(
     for number, (step, said) in enumerate(zip(steps, words, strict=True)):
         if said.kind == "road":
             continue
-        if step.wait_s and step.reached_s is not None:
-            yield "wait", number, step.reached_s, step.leaves_s, say("sheet.waiting", at=said.place)
+        if _waits(step):
+            begin_s = step.reached_s or 0.0
+            yield "wait", number, begin_s, step.leaves_s, say("sheet.waiting", at=said.place)
         at = step.reached_s if step.leaves_s is None else step.leaves_s
         if at is not None:
             yield said.kind, number, at, None, said.what
 
 
+def _waits(step: Step) -> bool:
+    if step.reached_s is None or step.leaves_s is None:
+        return False
+    return _tenths(step.leaves_s) - _tenths(step.reached_s) >= MENTIONED_S * 10
+
+
+def _tenths(seconds: float) -> int:
+    """Return a moment as a page holds it."""
+    return round(round(seconds, 1) * 10)
+
+
 def _moment(clock: Clock, seconds: float) -> datetime:
     """Return a moment to the second, in UTC if the clock has a zone."""
-    moment = clock.moment(round(seconds))
+    moment = _local(clock, seconds)
     return moment if moment.tzinfo is None else moment.astimezone(UTC)
 
 
-def _uid(parts: Sequence[str]) -> str:
-    text = "\0".join(parts).encode("utf-8", "surrogatepass")
-    return f"{hashlib.sha256(text).hexdigest()[:32]}@platoon-osm"
+def _local(clock: Clock, seconds: float) -> datetime:
+    # From tenths and half up, as a page rounds.
+    return clock.moment(math.floor(_tenths(seconds) / 10 + 0.5))
+
+
+def _journey(plan: Plan, index: int, clock: Clock) -> str:
+    """Return what a vehicle's journey of one day is known by, in any plan of it."""
+    assert plan.timetable is not None
+    trip = plan.trips[index]
+    name = fitted(trip.vehicle)
+    departure = _local(clock, plan.timetable.vehicles[index].departure_s)
+    namesakes = sum(fitted(other.vehicle) == name for other in plan.trips[:index])
+    ends = fitted(trip.origin.name), fitted(trip.destination.name)
+    return _named("\0".join([name, *ends, f"{departure:%Y-%m-%d}", str(namesakes)]))
+
+
+def _named(text: str) -> str:
+    """Return FNV-1a in 64 bits: a few lines in a page too, where no secure hash is to be had."""
+    found = 0xCBF29CE484222325
+    for byte in text.encode():
+        found = (found ^ byte) * 0x100000001B3 % 2**64
+    return f"{found:016x}"
