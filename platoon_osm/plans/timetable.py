@@ -110,6 +110,9 @@ class Timetable:
         Name of the zone in which times are shown, such as "Europe/Rome"; empty if it has none.
     offsets : tuple of (float, float)
         From when on [s] clocks go by which offset from UTC [s], if they change; see `Clock`.
+    patience_s : float or None
+        How far company was allowed to move a vehicle that names no window [s]; None if that was
+        not limited, or is not known.
     """
 
     start: str
@@ -117,6 +120,7 @@ class Timetable:
     vehicles: tuple[VehicleTimes, ...]
     zone: str = ""
     offsets: Offsets = ()
+    patience_s: float | None = None
 
     def __post_init__(self) -> None:
         clock = self.clock
@@ -126,6 +130,9 @@ class Timetable:
                 clock.moment(times.arrival_s + 60)
         except OverflowError:
             raise ScenarioError("plan: its times lie beyond the calendar; plan again") from None
+        patience = self.patience_s
+        if patience is not None and not (_is_moment(patience) and patience >= 0):
+            raise ScenarioError("plan: patience_s must be seconds, 0 or more, or null; plan again")
         if self.feasible is not (not any(times.late_s for times in self.vehicles)):
             raise ScenarioError("plan: feasible does not fit the arrival times; plan again")
 
@@ -133,6 +140,28 @@ class Timetable:
     def clock(self) -> Clock:
         """What turns seconds into times of day."""
         return Clock.from_text(self.start, self.zone, self.offsets)
+
+    def patient_until_s(self, vehicle: int, alone_s: float) -> float | None:
+        """Return when a vehicle without a latest arrival is there at the latest.
+
+        Parameters
+        ----------
+        vehicle : int
+            Its position.
+        alone_s : float
+            Its driving time alone [s].
+
+        Returns
+        -------
+        float or None
+            How far company was allowed to move it; None if that was not limited.
+        """
+        times = self.vehicles[vehicle]
+        leaves = times.latest_departure_s
+        leaves = times.earliest_departure_s if leaves is None else leaves
+        if self.patience_s is None or leaves is None:
+            return None
+        return leaves + alone_s + self.patience_s
 
     @property
     def waiting_s(self) -> float:

@@ -87,6 +87,7 @@ def test_version_3_says_all_but_places_between_junctions(name):
             assert (trip[end].pop("edge"), trip[end].pop("share")) == (None, None)
     if now["timetable"]:
         assert (now["timetable"].pop("zone"), now["timetable"].pop("offsets")) == ("", [])
+        assert now["timetable"].pop("patience_s") is None
     for event in now["events"]:
         assert (event["point"].pop("edge"), event["point"].pop("share")) == (None, None)
     assert now.pop("masters") == []

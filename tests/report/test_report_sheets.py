@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable
 from dataclasses import replace
@@ -177,6 +178,40 @@ def test_no_moment_is_made_up() -> None:
     for name in ("without times", "two vehicles"):
         for _, going in goings(*plan_kind(name)):
             assert going.until_s is None
+
+
+def test_a_saved_plan_knows_the_patience_it_was_planned_with(tmp_path: Path) -> None:
+    made, net = plan_kind("without times")
+    trips = [Trip(one.vehicle, 0, 1, SIX) for one in made.trips]
+    plan = with_times(made, trips, hours(2).total_seconds())
+    found = goings(plan, net)
+    assert found
+    for index, steps in enumerate(all_steps(plan, net)):
+        latest = plan.trips[index].alone.time_s + 7200
+        for step in steps:
+            if step.without is not None:
+                assert step.without.by_patience
+                assert step.without.until_s == pytest.approx(latest - step.without.drive_s)
+                assert step.without.arrives_s == pytest.approx(latest)
+    # What the caller says counts if it is less.
+    short = [going.until_s for _, going in goings(plan, net, 60.0)]
+    assert short == [pytest.approx((step.leaves_s or 0) + 60) for step, _ in found]
+    again = Plan.from_dict(json.loads(json.dumps(plan.to_dict())))
+    assert again == plan
+    one, other = (
+        po.write_sheets(which, net, tmp_path / name)
+        for which, name in ((plan, "fresh"), (again, "saved"))
+    )
+    for a, b in zip(one, other, strict=True):
+        assert a.read_bytes() == b.read_bytes()
+    assert "Ask how long to wait" not in one[0].read_text("utf-8")
+    # Who may be moved for ever is told to ask, and a patience that cannot be is refused.
+    for patience_s in (None, 1e300):
+        for _, going in goings(with_times(made, trips, patience_s), net):
+            assert going.until_s is None
+    assert plan.timetable is not None
+    with pytest.raises(po.ScenarioError, match="patience_s"):
+        replace(plan.timetable, patience_s=-1.0)
 
 
 def test_who_is_late_is_told_first(tmp_path: Path) -> None:

@@ -52,6 +52,9 @@ SLACK_S = 1e-5
 NEAR_S = 0.005
 """Times of the solver this near to a bound are meant to be at it [s]."""
 
+LONGEST_PATIENCE_S = 1e8
+"""Who would wait for years waits for ever; no driver is told a day for it [s]."""
+
 Floats = NDArray[np.float64]
 Row = dict[int, float]
 
@@ -166,7 +169,10 @@ def schedule(
     in_time = not any(times.late_s for times in vehicles)
     # By the clocks of the zone that is named first, as far as times are shown.
     shown = clock_of(first, shift, (at for times in vehicles for at in times.moments))
-    return Timetable(shown.start.isoformat(), in_time, vehicles, shown.name, shown.offsets)
+    patience = None if patience_s is None or patience_s > LONGEST_PATIENCE_S else patience_s
+    return Timetable(
+        shown.start.isoformat(), in_time, vehicles, shown.name, shown.offsets, patience
+    )
 
 
 # -- the linear programme --------------------------------------------------------------------------

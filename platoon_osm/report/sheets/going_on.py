@@ -1,12 +1,14 @@
 """What a driver does if those who are to be met do not come: until when to wait, and what then.
 
 With R the driving time of the rest of the way [s] and a the latest arrival asked for, a vehicle
-that leaves a meeting point by a - R is there in time. What is not in the plan is not made up: a
-trip without a latest arrival has no such moment, unless the caller names a patience.
+that leaves a meeting point by a - R is there in time. For a trip without a latest arrival, a is as
+late as the planner's patience let company make it. What is not in the plan is not made up: if that
+is not known either there is no such moment, unless the caller names a patience.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from ...network.road_network import RoadNetwork
@@ -25,7 +27,8 @@ class GoingOn:
     until_s : float or None
         When it leaves at the latest; None if neither a latest arrival nor a patience is known.
     by_patience : bool
-        Whether that is as long as the caller's patience goes; else it is as long as it is in time.
+        Whether that is as long as a patience goes, the caller's or the planner's; else it is as
+        long as the latest arrival allows.
     arrives_s : float or None
         When it is there if it leaves then, or else as planned; None without times.
     roads : str
@@ -86,6 +89,11 @@ def going_on(
     planned, latest = times.legs[number][0], times.latest_arrival_s
     in_time = None if latest is None else latest - drive_s
     patient = None if patience_s is None else planned + patience_s
+    if latest is None and plan.timetable is not None:
+        alone_s = plan.trips[index].alone.time_s
+        allowed = plan.timetable.patient_until_s(index, alone_s)
+        if allowed is not None:
+            patient = min(allowed - drive_s, math.inf if patient is None else patient)
     limits = [limit for limit in (in_time, patient) if limit is not None]
     # Who would be late anyway waits no longer than planned.
     until = max(min(limits), planned) if limits else None

@@ -64,8 +64,8 @@ def write_sheets(
         Heads the browser's window; by default made from the first vehicle's journey.
     patience_min : float or None
         How long after the planned moment drivers wait for one another at most [min]. By default
-        they wait as long as they still arrive in time; a vehicle without a latest arrival is told
-        to agree on it.
+        they wait as long as they still arrive in time; a vehicle without a latest arrival, as long
+        as the patience goes that it was planned with. One whose plan knows none is told to ask.
     language : str or None
         Of all texts, such as "de"; by default English.
     clock : int or None
