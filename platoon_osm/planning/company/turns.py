@@ -147,7 +147,6 @@ def _offers(
 
 def _without(draft: Draft, vehicle: int, order: Order) -> Draft:
     """Return the draft of the others; the vehicle itself drives nothing."""
-
     # Whole crowds name one company on each of their edges: each is told apart only once.
     known: dict[Company, Company] = {}
 

@@ -48,7 +48,7 @@ def _row(document: Document, drive: LongDrive) -> Piece:
     vehicle = document.vehicles[drive.vehicle]
     fields = {
         "length": kilometres(drive.at_m),
-        "origin": vehicle.origin.name,
+        "origin": vehicle.origin.brief,
         "place": drive.place,
     }
     where = say("driving.near" if drive.place else "driving.after", **fields)

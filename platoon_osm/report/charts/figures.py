@@ -166,7 +166,7 @@ def _in_unit(document: Document) -> Any:
 
 
 def _who(vehicle: Vehicle) -> str:
-    first, last = (shortened(stop.name, 16) for stop in (vehicle.origin, vehicle.destination))
+    first, last = (shortened(stop.brief, 16) for stop in (vehicle.origin, vehicle.destination))
     return f"{vehicle.letter}  {first} \u2013 {last}"
 
 

@@ -307,8 +307,8 @@ def _places(document: Document, guide: Course, spots: Sequence[Spot]) -> Iterato
     own = document.vehicles[guide.vehicle]
     every = len(document.vehicles)
     found = [
-        Place(guide.legs[0].begin_m, own.origin.name, every),
-        Place(guide.legs[-1].end_m, own.destination.name, every),
+        Place(guide.legs[0].begin_m, own.origin.brief, every),
+        Place(guide.legs[-1].end_m, own.destination.brief, every),
     ]
     for spot in spots:
         event = document.events[spot.event]

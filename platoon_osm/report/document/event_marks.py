@@ -9,6 +9,7 @@ from ..language.speech import clock_time, say
 from ..markup.quantities import kilometres
 from .findings import Findings
 from .model_map import EventMark
+from .stop_names import brief_name
 from .timeline import waits_at
 from .wording import MOST_NAMED, joined
 
@@ -133,7 +134,7 @@ def _detail(found: Findings, event: Event) -> str:
     one, at_end = len(event.movers) == 1, _ends_with(found, event.movers[0], event.stretch)
     if one and event.kind == "merge":
         km = first.merge.km if first.merge else 0.0
-        origin = fitted(first.origin.name)
+        origin = fitted(brief_name(first.origin.name, first.origin.lon, first.origin.lat))
         parts.append(
             say("events.from", km=kilometres(km * 1000), place=origin)
             if km >= 0.05

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from ...shown_text import shortened
 from ..drawing.vehicle_styles import letter_size
 from .model_day import Fatigue, VehicleDay
+from .stop_names import brief_name
 
 __all__ = ["CostTexts", "Stop", "Vehicle", "VehicleTexts", "called"]
 
@@ -85,6 +86,11 @@ class Stop:
     lon: float
     lat: float
     name: str
+
+    @property
+    def brief(self) -> str:
+        """Name without coordinates."""
+        return brief_name(self.name, self.lon, self.lat)
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ...shown_text import fitted, shortened, shown
+from ..drawing.crowd import CROWD
 from ..language.speech import number, say
 from ..markup.quantities import clock_span, kilometres, litres, percent, true_minus
 from .event_marks import told_events
 from .findings import Findings
 from .model import Figure, Group, Totals
+from .stop_names import brief_name
 from .wording import cost_texts, joined
 
 __all__ = ["groups", "subtitle_of", "title_of", "totals"]
@@ -28,15 +30,21 @@ def title_of(found: Findings, title: str | None) -> str:
     Returns
     -------
     str
-        The same made fit, or else the first vehicle's journey.
+        The same made fit, or else the first vehicle's journey, and of
+        a crowd how many more there are.
     """
     if title and shown(title):
         return fitted(title)
     vehicles = found.plan.vehicles
     first = next((v for v in vehicles if v.role == "master"), vehicles[0])
-    ends = (shortened(shown(stop.name), 40) for stop in (first.origin, first.destination))
-    title = "totals.title" if found.groups else "totals.title-alone"
-    return say(title, way=" \u2013 ".join(ends))
+    ends = (
+        shortened(shown(brief_name(stop.name, stop.lon, stop.lat)), 40)
+        for stop in (first.origin, first.destination)
+    )
+    way = " \u2013 ".join(ends)
+    if len(vehicles) > CROWD:
+        way = say("list.more", who=way, n=len(vehicles) - 1)
+    return say("totals.title" if found.groups else "totals.title-alone", way=way)
 
 
 def subtitle_of(found: Findings) -> str:

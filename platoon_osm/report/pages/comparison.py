@@ -189,8 +189,8 @@ def _keys(plan: Document) -> Tree:
             {
                 "badge": badge(vehicle),
                 "name": vehicle.name,
-                "origin": vehicle.origin.name,
-                "destination": vehicle.destination.name,
+                "origin": vehicle.origin.brief,
+                "destination": vehicle.destination.brief,
             },
         )
         for vehicle in plan.vehicles
@@ -293,8 +293,8 @@ def _by_vehicle(plans: Sequence[Document], key: str) -> Tree:
                     "badge": badge(vehicle),
                     "cells": tuple(cells),
                     "name": vehicle.name,
-                    "origin": vehicle.origin.name,
-                    "destination": vehicle.destination.name,
+                    "origin": vehicle.origin.brief,
+                    "destination": vehicle.destination.brief,
                 },
             )
         )

@@ -57,8 +57,8 @@ def cost_table(
                     "name": Piece("vehicle-name", {"name": vehicle.name})
                     if vehicle.name
                     else NOTHING,
-                    "origin": vehicle.origin.name,
-                    "destination": vehicle.destination.name,
+                    "origin": vehicle.origin.brief,
+                    "destination": vehicle.destination.brief,
                     "facts": facts,
                     "late": late_mark(vehicle),
                     "costs": Piece(cells, costs_of(vehicle.text, vehicle.saved, vehicle.is_late)),

@@ -257,8 +257,8 @@ def _platoons(document: Document) -> Tree:
                     "name": v.name,
                     "colour": v.colour,
                     "size": v.letter_size,
-                    "origin": v.origin.name,
-                    "destination": v.destination.name,
+                    "origin": v.origin.brief,
+                    "destination": v.destination.brief,
                     "saved": v.text.saved,
                     "late": late_mark(v),
                 },
@@ -283,8 +283,8 @@ def _platoons(document: Document) -> Tree:
                     "share_value": f"{saving:.6g}",
                     "members": members,
                     "sign": "even" if late and saving > 0 else gain_or_loss(saving),
-                    "first": vehicles[0].origin.name,
-                    "last": vehicles[0].destination.name,
+                    "first": vehicles[0].origin.brief,
+                    "last": vehicles[0].destination.brief,
                 },
             )
         )
