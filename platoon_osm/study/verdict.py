@@ -108,8 +108,8 @@ def verdict(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> str:
     text = []
     if ranked:
         best = ranked[0]
-        shown = ", ".join(
-            f"{PRINTED[name].label} {ours.value:.1f} % (paper {PRINTED[name].value[0]:g} %)"
+        shown = "; ".join(
+            f"{PRINTED[name].label}: {ours.value:.1f} % (paper {PRINTED[name].value[0]:g} %)"
             for name, ours in best.numbers.items()
         )
         rule = "is opened again" if best.astar == "astar" else "is explored once"
@@ -117,8 +117,8 @@ def verdict(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> str:
             f"Of {len(ranked)} readings the one closest to the four printed percentages is: "
             f"vehicles at {best.network}; {best.mixing} mixing of {best.terms}; costs of "
             f"{'the members' if best.total == 'members' else 'members and master'}; involved is "
-            f"who {_who(best.counted)}; under A* a node {rule}. It gives {shown}, on average "
-            f"{best.away:.1f} points away. It was picked after the fact, so it describes the "
+            f"who {_who(best.counted)}; under A* a node {rule}. It gives {shown}; on "
+            f"average {best.away:.1f} points away. It was picked after the fact, so it describes the "
             "paper's numbers; it does not confirm them."
         )
         every = sum(
