@@ -118,8 +118,8 @@ def verdict(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> str:
             f"vehicles at {best.network}; {best.mixing} mixing of {best.terms}; costs of "
             f"{'the members' if best.total == 'members' else 'members and master'}; involved is "
             f"who {_who(best.counted)}; under A* a node {rule}. It gives {shown}; on "
-            f"average {best.away:.1f} points away. It was picked after the fact, so it describes the "
-            "paper's numbers; it does not confirm them."
+            f"average {best.away:.1f} points away. It was picked after the fact, so it describes "
+            "the paper's numbers; it does not confirm them."
         )
         every = sum(
             all(ours.covers(PRINTED[n].value[0]) for n, ours in one.numbers.items())
