@@ -96,6 +96,65 @@ def test_a_plan_fits_the_frame_of_a_notebook(pages: Pages, kind: str, tmp_path: 
     assert pages.complaints == []
 
 
+# -- lines as the map moves ------------------------------------------------------------------------
+
+PHASES = """() => {
+  const routes = [];
+  map_plan.eachLayer((layer) => {
+    if (layer.options.dashArray && layer.getElement?.()) routes.push(layer);
+  });
+  // The longest of them is followed, a quarter of a view at a time.
+  const long = (layer) => layer.getElement().getTotalLength();
+  const way = routes.sort((a, b) => long(b) - long(a))[0].getLatLngs();
+  const apart = (a, b) => Math.hypot(b.x - a.x, b.y - a.y);
+  const sums = (texts) => texts.reduce((sum, one) => sum + parseFloat(one), 0);
+  const phases = (at) => routes.map((layer) => {
+    const path = layer.getElement();
+    const style = getComputedStyle(path);
+    const period = sums(style.strokeDasharray.split(","));
+    const points = path.getAttribute("d").match(/-?[\\d.]+ -?[\\d.]+/g)
+      .map((text) => L.point(text.split(" ").map(Number)));
+    let [arc, found, least] = [0, null, 60];
+    for (let i = 1; i < points.length; i++) {
+      const near = L.LineUtil.closestPointOnSegment(at, points[i - 1], points[i]);
+      const away = apart(near, at);
+      if (away < least) [least, found] = [away, arc + apart(points[i - 1], near)];
+      arc += apart(points[i - 1], points[i]);
+    }
+    return found === null ? null : [found + parseFloat(style.strokeDashoffset), period];
+  });
+  map_plan.setView(way[0], 13, { animate: false });
+  const jumps = [];
+  let at = map_plan.getCenter();
+  for (const next of way.slice(1)) {
+    const far = apart(map_plan.latLngToLayerPoint(at), map_plan.latLngToLayerPoint(next));
+    const steps = Math.ceil(far / (map_plan.getSize().x / 4));
+    const from = at;
+    for (let step = 1; step <= steps && jumps.length < 120; step++) {
+      const before = phases(map_plan.latLngToLayerPoint(at));
+      const old = map_plan.latLngToLayerPoint(at);
+      at = L.latLng(from.lat + (next.lat - from.lat) * step / steps,
+        from.lng + (next.lng - from.lng) * step / steps);
+      map_plan.panTo(at, { animate: false });
+      phases(old).forEach((now, i) => {
+        if (!now || !before[i]) return;
+        const moved = (now[0] - before[i][0]) / now[1];
+        jumps.push(Math.abs(moved - Math.round(moved)) * now[1]);
+      });
+    }
+  }
+  return jumps;
+}"""
+"""By how many pixels dashes move along a road near the middle of the view, each time it pans."""
+
+
+def test_dashes_keep_their_place_when_the_map_is_moved(pages: Pages) -> None:
+    jumps = pages.open("three vehicles", (390, 844)).evaluate(PHASES)
+    assert len(jumps) >= 100
+    # Points are drawn in whole pixels, so the length of a bend is not quite the same every time.
+    assert max(jumps) < 2
+
+
 # -- the address -----------------------------------------------------------------------------------
 
 

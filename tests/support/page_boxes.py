@@ -43,7 +43,7 @@ TEXT_FAULTS = """() => {
       && b.bottom > view.top && b.top < view.bottom);
   const over = (a, b) => a.left < b.right - 1 && b.left < a.right - 1
     && a.top < b.bottom - 1 && b.top < a.bottom - 1;
-  const texts = boxes('.name, .callout');
+  const texts = boxes('.name, .callout, .tag');
   const solid = boxes('.mark.end, .mark.event-mark, .legend-button, .live .legend, '
     + '.leaflet-control, .map .credit, .map .journey');
   const found = [];
@@ -57,7 +57,7 @@ TEXT_FAULTS = """() => {
   });
   return found;
 }"""
-"""Names and callouts over one another or over marks, or cut by the edge of the map."""
+"""Names, callouts and numbers over one another or over marks, or cut by the edge of the map."""
 
 PANEL_FAULTS = """() => {
   const found = [];

@@ -11,6 +11,8 @@ const [LOOP, LEAST_LOOP] = [10, 24];
 const SHARP = 0.6;
 const FINE = 0.2;
 
+const apart = (a, b) => Math.hypot(b.x - a.x, b.y - a.y);
+
 /* A line without points that move it by less than `tolerance`. */
 function thinned(line, tolerance) {
   if (line.length < 3) return line;
@@ -40,9 +42,7 @@ const greatest = (numbers) => numbers.reduce((most, one) => Math.max(most, one),
 
 function arcsOf(line) {
   const arcs = [0];
-  for (let i = 1; i < line.length; i++) {
-    arcs.push(arcs[i - 1] + Math.hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
-  }
+  for (let i = 1; i < line.length; i++) arcs.push(arcs[i - 1] + apart(line[i - 1], line[i]));
   return arcs;
 }
 
@@ -165,7 +165,7 @@ function withNormals(line, asides) {
   const aside = [];
   line.forEach((p, i) => {
     const last = distinct[distinct.length - 1];
-    if (last && Math.hypot(p.x - last.x, p.y - last.y) <= 1e-9) return;
+    if (last && apart(last, p) <= 1e-9) return;
     distinct.push(p);
     aside.push(asides[i]);
   });
@@ -208,8 +208,7 @@ function beside(road, offset) {
 
 /* Cut a line short where it crosses itself within some length. */
 function withoutLoops(points, most) {
-  const line = points.filter((p, i) =>
-    !i || Math.hypot(p.x - points[i - 1].x, p.y - points[i - 1].y) > 1e-9);
+  const line = points.filter((p, i) => !i || apart(points[i - 1], p) > 1e-9);
   const arcs = arcsOf(line);
   const out = [];
   let at = 0;

@@ -8,50 +8,51 @@ const SOLID = 1e3;
 const TEXT = 1e6;
 
 class Cover {
-  constructor() {
-    this.weights = new Map();
-  }
-
-  key(x, y) {
-    return Math.floor(x / CELL) * 1048576 + Math.floor(y / CELL);
+  /* Of a part of the plane; what lies outside it counts for nothing. */
+  constructor({ x, y, w, h }) {
+    this.part = L.bounds([x, y], [x + w, y + h]);
+    [this.left, this.top] = [Math.floor(x / CELL), Math.floor(y / CELL)];
+    [this.wide, this.tall] = [Math.ceil(w / CELL) + 1, Math.ceil(h / CELL) + 1];
+    this.weights = new Float64Array(this.wide * this.tall);
   }
 
   addLine(points, weight) {
     for (let i = 1; i < points.length; i++) {
-      const [a, b] = [points[i - 1], points[i]];
+      const ends = L.LineUtil.clipSegment(points[i - 1], points[i], this.part);
+      if (!ends) continue;
+      const [a, b] = ends;
       const steps = Math.max(1, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y) / CELL));
       for (let s = 0; s <= steps; s++) {
-        const key = this.key(a.x + ((b.x - a.x) * s) / steps, a.y + ((b.y - a.y) * s) / steps);
-        this.weights.set(key, Math.max(this.weights.get(key) ?? 0, weight));
+        const [x, y] = [a.x + ((b.x - a.x) * s) / steps, a.y + ((b.y - a.y) * s) / steps];
+        const key = (Math.floor(y / CELL) - this.top) * this.wide + Math.floor(x / CELL) - this.left;
+        this.weights[key] = Math.max(this.weights[key], weight);
       }
     }
   }
 
   addBox(box, weight) {
-    this.over(box, (key, old) => this.weights.set(key, old + weight));
+    this.cost(box, Infinity, weight);
   }
 
-  cost(box) {
+  /* What a box covers, or some of it that is `most` or more; `weight` is added to all of it. */
+  cost({ x, y, w, h }, most = Infinity, weight = 0) {
     let sum = 0;
-    this.over(box, (_, weight) => {
-      sum += weight;
-    });
+    const { left, top, wide, tall, weights } = this;
+    const first = Math.max(Math.floor(x / CELL) - left, 0);
+    const last = Math.min(Math.floor((x + w) / CELL) - left, wide - 1);
+    const end = Math.min(Math.floor((y + h) / CELL) - top, tall - 1);
+    for (let row = Math.max(Math.floor(y / CELL) - top, 0); row <= end && sum < most; row++) {
+      for (let key = row * wide + first; key <= row * wide + last; key++) {
+        sum += weights[key];
+        weights[key] += weight;
+      }
+    }
     return sum;
   }
 
-  /* Infinite if another text lies within the room that a box wants round itself. */
-  crowding({ x, y, w, h, room }) {
-    const wide = { x: x - room, y: y - room / 2, w: w + 2 * room, h: h + room };
-    return this.cost(wide) >= TEXT ? Infinity : 0;
-  }
-
-  over(box, visit) {
-    for (let x = Math.floor(box.x / CELL); x <= Math.floor((box.x + box.w) / CELL); x++) {
-      for (let y = Math.floor(box.y / CELL); y <= Math.floor((box.y + box.h) / CELL); y++) {
-        const key = x * 1048576 + y;
-        visit(key, this.weights.get(key) ?? 0);
-      }
-    }
+  /* Does another text lie within some room round a box? */
+  isCrowded({ x, y, w, h }, room) {
+    return this.cost({ x: x - room, y: y - room / 2, w: w + 2 * room, h: h + room }, TEXT) >= TEXT;
   }
 
   /* The candidate that covers least, taken; null if each would cover `most` or more. `more` is what
@@ -61,7 +62,7 @@ class Cover {
     let least = most;
     for (const box of candidates) {
       if (box.own >= least) continue;
-      let cost = this.cost(box) + box.own;
+      let cost = this.cost(box, least) + box.own;
       if (cost < least) cost += more(box);
       if (cost < least) [best, least] = [box, cost];
     }
@@ -84,5 +85,16 @@ function crossesBox([a, b], { x, y, w, h }) {
   return segmentsCross(a, b, p, q) || segmentsCross(a, b, r, s);
 }
 
-return { Cover, SOLID, TEXT, crossesBox, segmentsCross };
+/* What covers a map now, in pixels of its frame. */
+const PARTS = ".map .legend-box, .map .leaflet-control, .map .credit, .map .journey, .map .chosen";
+
+function covers(frame) {
+  const base = frame.getBoundingClientRect();
+  return [...document.querySelectorAll(PARTS)]
+    .map((part) => part.getBoundingClientRect())
+    .filter((box) => box.width && box.height)
+    .map((box) => ({ x: box.left - base.left, y: box.top - base.top, w: box.width, h: box.height }));
+}
+
+return { Cover, SOLID, TEXT, PARTS, covers, crossesBox, segmentsCross };
 })();

@@ -4,6 +4,7 @@
 function planFit({ plan, map, frame, solos, platoons }, { marks, journey, redraw }) {
 
 const { bestView } = planRoom;
+const { PARTS, covers } = planCover;
 const NEAREST_ZOOM = 13;
 const MOST_POINTS = 1200;
 const MARK_PX = 26;
@@ -15,7 +16,6 @@ const LEGEND_LEVELS = 0.45;
 
 const legendBox = document.querySelector(".legend-box");
 const legendButton = legendBox.querySelector(".legend-button");
-const COVERS = ".map .legend-box, .map .leaflet-control, .map .credit, .map .journey, .map .chosen";
 
 // -- what is shown, in pixels of the whole world at zoom 0 ----------------------------------------
 
@@ -68,15 +68,6 @@ function marksAt(zoom) {
 
 // -- the frame ------------------------------------------------------------------------------------
 
-/* What covers the map now, in pixels of the frame. */
-function covers() {
-  const base = frame.getBoundingClientRect();
-  return [...document.querySelectorAll(COVERS)]
-    .map((part) => part.getBoundingClientRect())
-    .filter((box) => box.width && box.height)
-    .map((box) => ({ x: box.left - base.left, y: box.top - base.top, w: box.width, h: box.height }));
-}
-
 function search() {
   const size = map.getSize();
   const edge = Math.min(Math.max(Math.min(size.x, size.y) * 0.03, 6), 24);
@@ -86,7 +77,7 @@ function search() {
     Math.max(room.x, 1) / (plain.x || 1e-9), Math.max(room.y, 1) / (plain.y || 1e-9), 2 ** NEAREST_ZOOM,
   ));
   return bestView({
-    covers: covers(), size, edge, most, least: map.getMinZoom(), boxesAt: marksAt,
+    covers: covers(frame), size, edge, most, least: map.getMinZoom(), boxesAt: marksAt,
     roughAt: (zoom) => ends.map((at) => grown(boxAt(at, zoom, MARK_PX))),
     pointsAt: (zoom) => along.map((at) => boxAt(at, zoom, LINE_PX)),
   });
@@ -95,7 +86,7 @@ function search() {
 /* Are all marks in the frame and clear of what covers it? */
 function isClear() {
   const size = map.getSize();
-  const over = covers();
+  const over = covers(frame);
   return marks.boxes().every((box) => {
     const { x, y } = map.layerPointToContainerPoint([box.x, box.y]);
     if (x < 0 || y < 0 || x + box.w > size.x || y + box.h > size.y) return false;
@@ -180,7 +171,7 @@ function settle() {
 
 function watch() {
   const watcher = new ResizeObserver(settle);
-  for (const part of [frame, ...document.querySelectorAll(COVERS)]) watcher.observe(part);
+  for (const part of [frame, ...document.querySelectorAll(PARTS)]) watcher.observe(part);
   legendButton.addEventListener("click", () => {
     chosen = true;
     if (!moved) showPlan();

@@ -3,11 +3,12 @@
 function planLabels({ plan, map, lanes, solos, platoons, routes, marks, hidden }) {
 
 const { element, say } = pageElements;
-const { Cover, SOLID, TEXT, crossesBox, segmentsCross } = planCover;
+const { Cover, SOLID, TEXT, covers, crossesBox, segmentsCross } = planCover;
 const frame = map.getContainer();
 const STEPS = 1e4;
 
-/* Of many callouts, those without a good place are left out: the list has them all. */
+/* Of many callouts, those without a good place are left out: their marks are tagged with their
+ * numbers in the list, which has them all. */
 const MANY_EVENTS = 8;
 const WORST = plan.events.length > MANY_EVENTS ? 60 : SOLID;
 
@@ -19,13 +20,19 @@ function textWidth(text, font) {
   return texts.measureText(text).width;
 }
 
+const put = (box, { x, y }) => L.DomUtil.setPosition(box, L.point(x, y, true));
+
+/* Texts that had rather not be there than be cut by the edge of the view, and where they are. */
+let small = [];
 let settled = null;
 
 /* Lay out callouts, then names, for this zoom. Both hold while the map is only moved a little. */
 function arrange() {
   const view = map.getBounds().pad(0.75);
   settled = { zoom: map.getZoom(), view, size: map.getSize() };
-  const cover = new Cover();
+  const { x: left, y: top, w: wide, h: tall } = viewBox();
+  const reach = { x: left - 0.75 * wide, y: top - 0.75 * tall, w: 2.5 * wide, h: 2.5 * tall };
+  const cover = new Cover(reach);
   const origin = map.getPixelOrigin();
   const inLayer = (line) => line.map(({ x, y }) => ({ x: x - origin.x, y: y - origin.y }));
   for (const solo of solos) {
@@ -42,13 +49,12 @@ function arrange() {
     for (const line of lanes.along(one.parts, lanes.bandAside, across)) cover.addLine(inLayer(line), 4);
   }
   for (const box of marks.boxes()) cover.addBox(box, SOLID);
-  const base = frame.getBoundingClientRect();
-  for (const part of document.querySelectorAll(".map .legend-box, .leaflet-control, .map .credit, .journey, .map .chosen")) {
-    const box = part.getBoundingClientRect();
-    const at = map.containerPointToLayerPoint([box.left - base.left, box.top - base.top]);
-    cover.addBox({ x: at.x - 4, y: at.y - 4, w: box.width + 8, h: box.height + 8 }, SOLID);
+  for (const { x, y, w, h } of covers(frame)) {
+    const at = map.containerPointToLayerPoint([x - 4, y - 4]);
+    cover.addBox({ x: at.x, y: at.y, w: w + 8, h: h + 8 }, SOLID);
   }
-  arrangeCallouts(cover);
+  small = [];
+  arrangeCallouts(cover, reach);
   arrangeNames(cover, view);
 }
 
@@ -99,9 +105,8 @@ const CROSSED_LEADER = 150;
 function tangled(box, at, others) {
   const leader = leaderOf(at, box);
   let cost = 0;
-  for (const { at: far, place } of others) {
+  for (const { place, leader: other } of others) {
     if (!place) continue;
-    const other = leaderOf(far, place);
     if (leader && crossesBox(leader, place)) cost += CROSSED_BOX;
     if (other && crossesBox(other, box)) cost += CROSSED_BOX;
     if (leader && other && segmentsCross(...leader, ...other)) cost += CROSSED_LEADER;
@@ -109,25 +114,32 @@ function tangled(box, at, others) {
   return cost;
 }
 
-function arrangeCallouts(cover) {
+/* A number beside a mark: its height, and how far from the middle of the mark. */
+const TAG_PX = 16;
+const TAG_STEPS = [15, 16, 17, 18, 19, 24, 32, 42, 52];
+
+function arrangeCallouts(cover, reach) {
   const pane = map.getPane("callouts");
   pane.replaceChildren();
-  // A small screen has no room for them: there the list below the map says the same.
-  if (frame.clientWidth < 600) return;
   const view = viewBox();
   const callouts = [];
+  const spots = plan.events.map((_, index) => marks.eventAt(index));
   plan.events.forEach((event, index) => {
     if (!marks.tells(index)) return;
+    const at = spots[index];
+    // One far outside the view is laid out when the reader gets there.
+    if (!crossesBox([at, at], reach)) return;
     const box = element("div", "callout");
     const head = element("b", "", `${say(event.kind === "merge" ? "mark-merge" : "mark-separation")}: `);
     head.append(element("bdi", "", event.name));
     box.append(head, element("span", "", event.text));
     pane.append(box);
-    callouts.push({ box, at: marks.eventAt(index), place: null });
+    callouts.push({ box, at, index, place: null });
   });
   for (const one of callouts) {
     const [w, h] = [one.box.offsetWidth, one.box.offsetHeight];
-    one.choices = [...around(one.at, w, h)].filter((place) => !isCut(place, view));
+    // A small screen has no room for them.
+    one.choices = frame.clientWidth < 600 ? [] : [...around(one.at, w, h)].filter((place) => !isCut(place, view));
   }
   // The first to choose may stand in the way of the others: let each choose again, twice.
   for (let round = 0; round < 3; round++) {
@@ -135,6 +147,7 @@ function arrangeCallouts(cover) {
       if (one.place) cover.addBox(one.place, -TEXT);
       const others = callouts.filter((other) => other !== one);
       one.place = cover.place(one.choices, WORST, (place) => tangled(place, one.at, others));
+      one.leader = one.place && leaderOf(one.at, one.place);
     }
   }
   // A leader through a callout would be read as that one's: rather no callout.
@@ -144,13 +157,32 @@ function arrangeCallouts(cover) {
     cover.addBox(one.place, -TEXT);
     one.place = null;
   }
-  for (const { box, at, place } of callouts) {
-    if (!place) {
-      box.remove();
-      continue;
+  for (const one of callouts) {
+    const { box, at } = one;
+    if (!one.place) {
+      const number = String(one.index + 1);
+      const w = 9 + 7 * number.length;
+      // Nearer to its own mark than to any other.
+      const choices = placesBeside(at, w, TAG_PX, TAG_STEPS).filter((place) => {
+        const middle = L.point(place.x + w / 2, place.y + TAG_PX / 2);
+        const far = middle.distanceTo(at);
+        return !isCut(place, view) && spots.every((other) => !other || middle.distanceTo(other) >= far);
+      });
+      one.place = cover.place(choices, CROSSED_BOX, (place) => tangled(place, at, callouts));
+      if (!one.place) {
+        box.remove();
+        continue;
+      }
+      one.leader = leaderOf(at, one.place);
+      box.className = "tag";
+      box.textContent = number;
+      box.style.width = `${w}px`;
+      small.push([box, one.place]);
+      // The mark's own label says it too.
+      box.setAttribute("aria-hidden", "true");
     }
-    L.DomUtil.setPosition(box, L.point(place.x, place.y).round());
-    const leader = leaderOf(at, place);
+    const { place, leader } = one;
+    put(box, place);
     if (!leader) continue;
     pane.prepend(marks.tie(...leader, false));
     // No name lies on a leader.
@@ -175,27 +207,22 @@ function* namesHere() {
 const LONGEST_NAME_PX = 150;
 const DOT = 1;
 
-/* Places for a name, best first: beside its dot or mark, then further from it. */
-function nameChoices(at, w, h) {
-  const found = [];
-  for (const away of [5, 13, 19]) {
-    found.push(
-      { x: at.x - w / 2, y: at.y - h - away, w, h }, { x: at.x - w / 2, y: at.y + away, w, h },
-      { x: at.x + away + 2, y: at.y - h / 2, w, h }, { x: at.x - w - away - 2, y: at.y - h / 2, w, h },
-      { x: at.x + 4, y: at.y - h - away, w, h }, { x: at.x - w - 4, y: at.y + away, w, h },
-      { x: at.x - w - 4, y: at.y - h - away, w, h }, { x: at.x + 4, y: at.y + away, w, h },
-    );
-  }
-  return found;
+/* Places for a text, best first: beside its dot or mark, then further from it. */
+function placesBeside(at, w, h, steps) {
+  const [left, right, middle] = [at.x - w - 4, at.x + 4, at.x - w / 2];
+  return steps.flatMap((own) => {
+    const [above, below, level] = [at.y - h - own, at.y + own, at.y - h / 2];
+    return [
+      [middle, above], [middle, below], [at.x + own + 2, level], [at.x - w - own - 2, level],
+      [right, above], [left, below], [left, above], [right, below],
+    ].map(([x, y]) => ({ x, y, w, h, own }));
+  });
 }
-
-let named = [];
 
 /* Names keep off all that is drawn of the plan: one that finds no free place is left out. */
 function arrangeNames(cover, bounds) {
   const pane = map.getPane("names");
   pane.replaceChildren();
-  named = [];
   if (hidden.has("names")) return;
   const made = document.createDocumentFragment();
   const view = viewBox();
@@ -212,16 +239,16 @@ function arrangeNames(cover, bounds) {
     if (index === junctions) dots(true);
     const font = kind === "junction" ? "11px" : "12.5px";
     const w = Math.min(Math.ceil(textWidth(name, font)) + 2, LONGEST_NAME_PX) + 6;
-    const place = nameChoices(at, w, 17).map((one) => ({ ...one, room })).find((one) =>
-      !isCut(one, view) && cover.cost(one) <= DOT && cover.crowding(one) === 0);
+    const place = placesBeside(at, w, 17, [5, 13, 19]).find((one) =>
+      !isCut(one, view) && cover.cost(one) <= DOT && !cover.isCrowded(one, room));
     if (!place) continue;
     cover.addBox(place, TEXT);
     const label = element("div", `name ${kind}`);
     label.append(element("bdi", "", name));
     label.style.width = `${w}px`;
-    L.DomUtil.setPosition(label, L.point(place.x, place.y).round());
+    put(label, place);
     made.append(label);
-    named.push({ label, place });
+    small.push([label, place]);
   }
   pane.append(made);
 }
@@ -230,7 +257,7 @@ map.on("moveend", () => {
   const still = settled && settled.zoom === map.getZoom() && settled.view.contains(map.getBounds());
   if (!still) arrange();
   const view = viewBox();
-  for (const { label, place } of named) label.style.visibility = isCut(place, view) ? "hidden" : "";
+  for (const [label, place] of small) label.style.visibility = isCut(place, view) ? "hidden" : "";
 });
 
 return { arrange };

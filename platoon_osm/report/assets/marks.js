@@ -3,6 +3,7 @@
 function planMarks({ plan, map, hidden, selection, tooltip }) {
 
 const { element, drawn, isolated, letterSize, say } = pageElements;
+const { act } = planMarks;
 const frame = map.getContainer();
 
 /* Many vehicles: starts near one another become one mark that counts them, until one zooms in. */
@@ -87,16 +88,6 @@ function spots(stops, apart) {
   return found.map((spot) => spot.who);
 }
 
-/* What a mark does when it is clicked, or Enter or the space bar pressed on it. */
-function act(made, action) {
-  made.on("click", action);
-  made.on("keypress", ({ originalEvent: event }) => {
-    if (event.key !== "Enter" && event.key !== " ") return;
-    event.preventDefault();
-    action();
-  });
-}
-
 /* From a mark that counts to where one sees apart what it counts. */
 const closer = (made) => map.setView(made.getLatLng(), map.getZoom() + 2);
 
@@ -153,7 +144,7 @@ function drawEvents() {
     const head = `${noun}: ${one ? event.name : names}`;
     const lines = one ? [event.text, event.detail] : events.slice(0, 4).map(({ text }) => text);
     const made = mark([event.lat, event.lon], eventPicture(event.kind, events.length), EVENT_PX,
-      one ? `${head}, ${event.text}` : head, "event-mark",
+      one ? `${indexes[0] + 1}. ${head}, ${event.text}` : head, "event-mark",
       [...new Set(events.flatMap(concerned))], { zIndexOffset: 400 });
     made.bindTooltip(tooltip({ head, lines }), { direction: "top", offset: [0, -12], opacity: 1 });
     act(made, one ? () => openEvent(indexes[0]) : () => closer(made));
@@ -206,13 +197,14 @@ function spread() {
     if (!icon) continue;
     const size = (one.size === EVENT_PX ? EVENT_PX : END_PX) * shrink;
     const at = map.latLngToLayerPoint(made.getLatLng());
-    const places = fan.map(([x, y]) => at.add([x * (size - 3), y * (size - 3)]));
-    const free = (spot) =>
-      taken.every((p) => Math.abs(p.x - spot.x) > size - 5 || Math.abs(p.y - spot.y) > size - 5);
+    const spot = ([x, y]) => at.add([x * (size - 3), y * (size - 3)]);
+    const free = (p) =>
+      taken.every((q) => Math.abs(q.x - p.x) > size - 5 || Math.abs(q.y - p.y) > size - 5);
     // What belongs into the view stays in it.
     const seen = inside(at, 0);
-    const place = places.find((spot) => free(spot) && (!seen || inside(spot, size / 2))) ??
-      places.find(free) ?? at;
+    const found = fan.find((one) => free(spot(one)) && (!seen || inside(spot(one), size / 2))) ??
+      fan.find((one) => free(spot(one)));
+    const place = found ? spot(found) : at;
     taken.push(place);
     one.box = { x: place.x - size / 2, y: place.y - size / 2, w: size, h: size };
     icon.style.width = `${size}px`;
@@ -243,18 +235,18 @@ if (!crowd) {
 /* Boxes of all marks that show, in pixels of the layer. */
 const boxes = () => marks.filter(({ made, box }) => box && map.hasLayer(made)).map(({ box }) => box);
 
-/* Where the mark of an event stands, which may be beside its place, in pixels of the layer. */
+/* Where the mark of an event stands, which may be beside its place, in pixels of the layer; null where
+ * none shows. */
 function eventAt(index) {
-  const { x, y, w, h } = eventMarks[index].box;
-  return L.point(x + w / 2, y + h / 2);
+  const { made, box } = eventMarks[index] ?? {};
+  return box && map.hasLayer(made) ? L.point(box.x + box.w / 2, box.y + box.h / 2) : null;
 }
 
 /* Whether an event has a mark of its own that shows, and concerns who is lifted out. */
 function tells(index) {
-  const entry = eventMarks[index];
   const { chosen } = selection;
   const wanted = chosen === null || concerned(plan.events[index]).includes(chosen);
-  return Boolean(wanted && entry?.one && map.hasLayer(entry.made));
+  return Boolean(wanted && eventMarks[index]?.one && eventAt(index));
 }
 
 const onEvent = (open) => {
@@ -263,3 +255,13 @@ const onEvent = (open) => {
 
 return { show, tie, boxes, eventAt, tells, onEvent };
 }
+
+/* What a mark or line does when it is clicked, or Enter or the space bar pressed on it. */
+planMarks.act = (made, action) => {
+  made.on("click", action);
+  made.on("keypress", ({ originalEvent: event }) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    action();
+  });
+};

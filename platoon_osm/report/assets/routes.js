@@ -25,8 +25,10 @@ function routeLine(pane, name, who, style, tip) {
   const made = L.polyline([], {
     pane, renderer: svg[pane], lineCap: "butt", lineJoin: "round", opacity: 1, smoothFactor: 0,
     interactive: Boolean(tip), className: tip ? "route" : "", ...style,
+    // Leaflet would cut it at the edge of the view, and dashes begin where a line does.
+    noClip: Boolean(style.dashArray),
   });
-  made.on("add", () => selection.tag(made.getElement(), who));
+  if (who !== null) made.on("add", () => selection.tag(made.getElement(), who));
   if (tip) reachable(made, tip);
   if (tip && typeof who === "number") choosable(made, who);
   return made.addTo(group(name));
@@ -34,20 +36,36 @@ function routeLine(pane, name, who, style, tip) {
 
 /* A line of one vehicle lifts it out. */
 function choosable(made, index) {
-  made.on("click", () => selection.choose(index));
-  made.on("add", () => {
-    made.getElement().setAttribute("role", "button");
-    made.getElement().addEventListener("keydown", (event) => {
-      if (event.key !== "Enter" && event.key !== " ") return;
-      event.preventDefault();
-      selection.choose(index);
-    });
-  });
+  planMarks.act(made, () => selection.choose(index));
+  made.on("add", () => made.getElement().setAttribute("role", "button"));
 }
 
-/* Lines along the parts of a way at this zoom, each as far aside as `aside` and its offset say. */
-const lines = (parts, aside, offsets) =>
-  along(parts, aside, offsets).map((line) => line.map((p) => map.unproject(p)));
+/* How far along a line the place nearest to a point is. */
+function arcNear(line, point) {
+  let [arc, found, least] = [0, 0, Infinity];
+  line.reduce((a, b) => {
+    const near = L.LineUtil.closestPointOnSegment(point, a, b);
+    const away = near.distanceTo(point);
+    if (away < least) [least, found] = [away, arc + near.distanceTo(a)];
+    arc += a.distanceTo(b);
+    return b;
+  });
+  return found;
+}
+
+/* Lay a line along points of the world at this zoom. Where it has been laid at the same zoom, for
+ * another part of its road, its dashes stay as they are in the middle of the view. */
+function lay(line, exact) {
+  // As Leaflet draws them.
+  const points = exact.map(({ x, y }) => L.point(x, y, true));
+  if (line.options.dashArray) {
+    const [zoom, middle, old] = [map.getZoom(), map.getPixelBounds().getCenter(), line.laid];
+    const start = old?.zoom === zoom && old.start + arcNear(old.points, middle) - arcNear(points, middle);
+    line.laid = { zoom, points, start };
+    line.setStyle({ dashOffset: start });
+  }
+  line.setLatLngs(points.map((p) => map.unproject(p)));
+}
 
 /* One weight along the whole stretch: that of its most crowded part. */
 function soloWeight(solo) {
@@ -67,9 +85,9 @@ function soloLine(solo, pane, name, aside, weight) {
       lineCap: solo.access ? "round" : vehicle.cap,
     }, solo.tip);
     return () => {
-      const [points] = lines(solo.parts, aside, [0]);
-      casing.setLatLngs(points);
-      drawnLine.setLatLngs(points);
+      const [points] = along(solo.parts, aside);
+      lay(casing, points);
+      lay(drawnLine, points);
     };
   };
 }
@@ -79,10 +97,9 @@ function drawSolos() {
   const alone = solos.filter((solo) => !ribboned(solo)).map((solo) =>
     soloLine(solo, "routes", `vehicle-${solo.vehicle}`, soloAside, soloWeight(solo)));
   for (const text of plan.inferred_routes) {
-    L.polyline(decoded(text, ROUTE_STEPS), {
-      pane: "routes", renderer: svg.routes, color: "#8a5a83", weight: 14, opacity: 1,
-      dashArray: "6 4", lineCap: "butt", interactive: false,
-    }).addTo(group("inferred"));
+    const parts = [{ points: decoded(text, ROUTE_STEPS) }];
+    const line = routeLine("routes", "inferred", null, { color: "#8a5a83", weight: 14, dashArray: "6 4" });
+    redraws.push(() => lay(line, along(parts, () => 0)[0]));
   }
   redraws.push(...alone.map((over) => over()));
 }
@@ -120,13 +137,10 @@ function bandOf(one, pane, name) {
       const width = bandWidth(count);
       const step = lineStep(count);
       const offsets = members.map((_, place) => (place - (count - 1) / 2) * step);
-      const [middle, ...beside] = lines(one.parts, aside, [0, ...offsets]);
-      made.band.setStyle({ weight: width }).setLatLngs(middle);
-      made.casing.setStyle({ weight: width + 2 }).setLatLngs(middle);
-      members.forEach((own, place) => {
-        own.setStyle({ weight: Math.min(4, step * 0.68) });
-        own.setLatLngs(beside[place]);
-      });
+      const [middle, ...beside] = along(one.parts, aside, [0, ...offsets]);
+      lay(made.band.setStyle({ weight: width }), middle);
+      lay(made.casing.setStyle({ weight: width + 2 }), middle);
+      members.forEach((own, place) => lay(own.setStyle({ weight: Math.min(4, step * 0.68) }), beside[place]));
     };
   };
   return { made, linesOver };
