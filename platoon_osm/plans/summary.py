@@ -8,6 +8,7 @@ from ..shown_text import fitted
 from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
 from .credits import credits_of
+from .lateness import status_lines
 from .leading import leading_text
 from .plan import Plan
 from .proof_sentence import proof_sentence
@@ -30,7 +31,7 @@ CASE_TITLES = {
 
 
 def summary(plan: Plan) -> str:
-    """Return the plan as text: one row a vehicle, then totals, points and what is proved.
+    """Return the plan as text: who is late, one row a vehicle, totals, points and what is proved.
 
     Parameters
     ----------
@@ -47,11 +48,13 @@ def summary(plan: Plan) -> str:
 
 def _heading(plan: Plan) -> list[str]:
     case = f"Case {plan.case}: {CASE_TITLES.get(plan.case, 'a plan')}"
+    status = [f"{line}." for line in status_lines(plan)]
     if plan.unit != "m":
-        return [f"{case}; costs in {named(plan.unit)}", ""]
+        return [f"{case}; costs in {named(plan.unit)}", *status, ""]
     return [
         f"{case}; costs in km-equivalents",
         "(weighted cost: distance, time and fuel, each rescaled to km and added up)",
+        *status,
         "",
     ]
 

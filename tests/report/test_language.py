@@ -21,6 +21,7 @@ from platoon_osm import PaperCosts, Trip, plan_joint
 from platoon_osm.errors import ScenarioError
 from platoon_osm.plans.clock import Clock
 from platoon_osm.plans.plan import Plan
+from platoon_osm.plans.text_table import listed
 from platoon_osm.plans.zones import clock_of
 from platoon_osm.report.language.languages import language_of, languages
 from platoon_osm.report.language.plan_sentences import in_language
@@ -227,3 +228,26 @@ def test_shares_in_sentences_have_the_signs_of_the_language() -> None:
     with speaking("de"):
         assert "3,2\u202f%" in in_language(sentence)
         assert "T 7 würde 1,5\u202f% mehr" in in_language(sentence)
+
+
+@pytest.mark.parametrize(
+    ("late", "german", "italian"),
+    [
+        (["A by 54 min"], "A um 54 min", "A di 54 min"),
+        (["A by 2 h 44 min", "B by 54 min"], "A um 2 h 44 min und B um 54 min", "e B di 54 min"),
+        (["Smith, Sons and Co by 1 min"], "Smith, Sons and Co um 1 min", "Smith, Sons and Co di"),
+        (["A and B by less than a minute", "C by 3 min"], "A and B um weniger als eine", "e C di"),
+        ([f"{k} by {k} min" for k in range(1, 30)], "2 um 2 min, 3 um", " e altri "),
+        (["by the sea"], "by the sea", "by the sea"),
+    ],
+)
+def test_who_is_late_is_listed_in_other_words(late: list[str], german: str, italian: str) -> None:
+    sentence = (
+        f"not feasible in time: late are at best {listed(late)}; give earlier departures, later "
+        "arrivals, or other company"
+    )
+    for language, told in (("de", german), ("it", italian)):
+        with speaking(language):
+            assert told in in_language(sentence)
+            assert "give earlier" not in in_language(sentence)
+            assert " more" not in in_language(sentence)

@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from plan_kinds import plan_kind
+from plan_kinds import KINDS, plan_kind
 
+from platoon_osm.plans.lateness import status_lines, who_is_late
 from platoon_osm.report import report_document, write_comparison, write_flows, write_html
+from platoon_osm.report.document.status import status as page_status
 from platoon_osm.report.pages.notebook import plan_table
 
 Visit = Callable[..., Any]
@@ -40,6 +43,58 @@ def test_all_in_time_is_said_where_times_are_asked_for() -> None:
     assert status("three vehicles") == [("good", "All in time")]
     assert status("two vehicles") == []
     assert status("without times") == []
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if "hundred" not in kind])
+def test_a_summary_says_the_same(kind: str) -> None:
+    plan, _ = plan_kind(kind)
+    told = [text for _, text in status(kind)]
+    if "long" not in kind and "script" not in kind:
+        head = plan.summary().partition("\n\n")[0]
+        assert head.splitlines()[-len(told) or 99 :] == [f"{text}." for text in told]
+    assert len(told) == len(list(status_lines(plan)))
+
+
+def test_who_is_late_even_alone() -> None:
+    late = [day(3600.0, 60.0), day(0.0, 0.0), day(7200.0, 0.0), None, day(0.5, None)]
+    found = who_is_late(late)
+    assert (found.late, found.even_alone, found.most_s) == ((0, 2, 4), (0,), 7200.0)
+    assert not found.in_time_alone
+    assert who_is_late([day(60.0, 0.0), day(60.0, 0.0)]).in_time_alone
+    assert not who_is_late([day(60.0, 0.0), day(60.0, None)]).in_time_alone
+    assert not who_is_late([day(0.0, 0.0)]).in_time_alone
+    assert who_is_late([None, day(0.0, None)]).asked
+    assert not who_is_late([None, SimpleNamespace(late_s=0.0, latest_arrival_s=None)]).asked
+
+
+def day(late_s: float, late_alone_s: float | None) -> Any:
+    return SimpleNamespace(late_s=late_s, late_alone_s=late_alone_s, latest_arrival_s=0.0)
+
+
+@pytest.mark.parametrize(
+    ("late_s", "alone_s", "text"),
+    [
+        ((60, 60, 60), (60, 60, 60), "3 of 3 late, by up to 1 min; all of them late even alone"),
+        ((60, 21420, 60), (60, 0, 0), "3 of 3 late, by up to 5 h 57 min; A is late even alone"),
+        ((60, 0, 60), (60, 0, 0), "2 of 3 late, by up to 1 min; A is late even alone"),
+        ((60, 60, 60), (60, 9, 0), "3 of 3 late, by up to 1 min; A and B are late even alone"),
+        ((60, 0, 0), (60, 0, 0), "1 of 3 late, by 1 min; late even alone"),
+        ((60, 0, 0), (0, 0, 0), "1 of 3 late, by 1 min; alone it would be in time"),
+        ((60, 0, 1), (0, 0, 0), "2 of 3 late, by up to 1 min; alone they would be in time"),
+        ((60, 0, 1), (0, 0, None), "2 of 3 late, by up to 1 min"),
+    ],
+)
+def test_the_words_of_lateness(
+    late_s: tuple[int, ...],
+    alone_s: tuple[int | None, ...],
+    text: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    days = [day(late, alone) for late, alone in zip(late_s, alone_s, strict=True)]
+    assert [one.text for one in page_status("ABC", days, True)] == [text]
+    plan, _ = plan_kind("three vehicles")
+    monkeypatch.setattr("platoon_osm.plans.lateness._days", lambda _: days)
+    assert list(status_lines(plan)) == [text]
 
 
 def test_a_late_plan_is_no_success() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...plans.lateness import Lateness, who_is_late
 from ..language.speech import late_by, number, say
 from .model import Status
 from .model_day import VehicleDay
@@ -33,30 +34,30 @@ def status(
         Lateness, or that all are in time where latest arrivals were named; and that nobody drives
         in platoon, if so.
     """
-    known = [(who, day) for who, day in zip(called, days, strict=True) if day is not None]
-    if late := [(who, day) for who, day in known if day.is_late]:
-        yield Status("bad", "; ".join((_late(late, len(called)), *_alone(late))))
-    elif any(day.latest_arrival_s is not None for _, day in known):
+    found = who_is_late(days)
+    if found.late:
+        yield Status("bad", "; ".join((_late(found, len(called)), *_alone(found, called))))
+    elif found.asked:
         yield Status("good", say("status.in-time", n=len(called)))
     if not platoon:
         yield Status("plain", say("status.no-platoon", n=len(called)))
 
 
-def _late(late: Sequence[tuple[str, VehicleDay]], every: int) -> str:
+def _late(found: Lateness, every: int) -> str:
     """Return how many are late, and by how much at most."""
-    most = late_by(max(day.late_s for _, day in late))
-    return say("status.late", n=len(late), all=number(every), most=most)
+    most = late_by(found.most_s)
+    return say("status.late", n=len(found.late), all=number(every), most=most)
 
 
-def _alone(late: Sequence[tuple[str, VehicleDay]]) -> Iterator[str]:
+def _alone(found: Lateness, called: Sequence[str]) -> Iterator[str]:
     """Yield who would be late even alone; if nobody would, that."""
-    even_alone = [who for who, day in late if day.late_alone_s]
-    if len(even_alone) == len(late):
-        yield say("status.all-even-alone", n=len(late))
-    elif even_alone:
-        yield say("status.even-alone", n=len(even_alone), who=joined(even_alone))
-    elif all(day.late_alone_s is not None for _, day in late):
-        yield say("status.in-time-alone", n=len(late))
+    if len(found.even_alone) == len(found.late):
+        yield say("status.all-even-alone", n=len(found.late))
+    elif found.even_alone:
+        names = [called[place] for place in found.even_alone]
+        yield say("status.even-alone", n=len(names), who=joined(names))
+    elif found.in_time_alone:
+        yield say("status.in-time-alone", n=len(found.late))
 
 
 def lateness(vehicles: Sequence[Vehicle]) -> Iterator[str]:

@@ -6,9 +6,10 @@ Only plans with a timetable have one; nothing here invents a time.
 from __future__ import annotations
 
 from ...plans.clock import MENTIONED_S, Clock, duration
+from ...plans.lateness import late_alone_s
 from ...plans.plan import Plan
 from ...plans.records import Event
-from ...plans.timetable import LATE_S, VehicleTimes
+from ...plans.timetable import VehicleTimes
 from ..language.speech import clock_time, day_and_date, late_by, zone_text
 from .model_day import DaySchedule, DayTexts, VehicleDay, VehicleDayTexts
 
@@ -67,7 +68,7 @@ def vehicle_day(plan: Plan, index: int) -> VehicleDay | None:
     if table is None:
         return None
     times = table.vehicles[index]
-    late_alone_s = _late_alone_s(times, plan.trips[index].alone.time_s)
+    late_alone = late_alone_s(times, plan.trips[index].alone.time_s)
     asked = (times.earliest_departure_s, times.latest_departure_s, times.latest_arrival_s)
     earliest, latest, arrival = (None if at is None else round(at, 1) for at in asked)
     return VehicleDay(
@@ -78,20 +79,13 @@ def vehicle_day(plan: Plan, index: int) -> VehicleDay | None:
         latest_arrival_s=arrival,
         waiting_s=round(times.waiting_s, 1),
         held_s=round(times.held_s, 1),
-        late_s=round(times.late_s, 1),
-        late_alone_s=None if late_alone_s is None else round(late_alone_s, 1),
+        # Never 0 of who is late, however little.
+        late_s=max(round(times.late_s, 1), 0.1) if times.late_s else 0.0,
+        late_alone_s=None if late_alone is None else round(late_alone, 1),
         # A tenth of a second is 2 m of road.
         spans=tuple((round(begin, 1), round(end, 1)) for begin, end in times.legs),
         text=_texts(times, table.clock),
     )
-
-
-def _late_alone_s(times: VehicleTimes, alone_s: float) -> float | None:
-    first, latest = times.earliest_departure_s, times.latest_arrival_s
-    if first is None or latest is None:
-        return None
-    late = first + alone_s - latest
-    return late if late > LATE_S else 0.0
 
 
 def _texts(times: VehicleTimes, clock: Clock) -> VehicleDayTexts:

@@ -18,6 +18,11 @@ __all__ = ["in_language"]
 
 PLAN = "plan."
 
+# A name may hold commas and "and"; a time ends what is told of it.
+_LATE_BY = re.compile(
+    r"(.+?) by (?:(\d+ h \d\d min|\d+ min)|less than a minute)(?:, | and |$)", re.DOTALL
+)
+_MORE = re.compile(r" and ([\d,]+) more$")
 _SHARE = re.compile(r"(-?\d+\.\d+)%")
 
 
@@ -38,8 +43,28 @@ def in_language(sentence: str) -> str:
         return sentence
     for key, pattern in _patterns():
         if found := pattern.fullmatch(sentence):
-            return say(key, **{name: _figures(text) for name, text in found.groupdict().items()})
+            fields = found.groupdict().items()
+            return say(key, **{name: _field(name, text) for name, text in fields})
     return sentence
+
+
+def _field(name: str, text: str) -> str:
+    return _late(text) if name == "late" else _figures(text)
+
+
+def _late(text: str) -> str:
+    """Return who is late by how much, one after another, as the language lists them."""
+    told = [
+        say("schedule.late-by", vehicle=who, time=time or say("clock.under-a-minute"))
+        for who, time in _LATE_BY.findall(text)
+    ]
+    if not told:
+        return text
+    if more := _MORE.search(text):
+        count = int(more[1].replace(",", ""))
+        return say("list.more", n=count, who=", ".join(told))
+    *before, last = told
+    return say("list.and", before=", ".join(before), last=last) if before else last
 
 
 def _figures(text: str) -> str:
