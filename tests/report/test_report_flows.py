@@ -111,10 +111,30 @@ def test_a_platoon_shows_its_road(page_file: Path, visit: Visit) -> None:
     assert page.locator(".members:visible li").count() == 3
 
 
+MAP = """() => {
+  const svg = document.querySelector('.static-map svg');
+  const frame = svg.getBoundingClientRect();
+  const ground = svg.querySelector('.ground');
+  const b = ground.getBoundingClientRect();
+  const map = document.querySelector('.map').getBoundingClientRect();
+  return {
+    ground: [b.left - frame.left, b.top - frame.top, frame.right - b.right, frame.bottom - b.bottom],
+    scale: svg.getScreenCTM().a,
+    empty: map.height - frame.height,
+  };
+}"""
+"""How far the ground lies inside each edge of its frame, and the scale of its texts."""
+
+
 @browser
-@pytest.mark.parametrize("width", [1440, 900, 390])
+@pytest.mark.parametrize("width", [1440, 1100, 900, 390])
 def test_layout(page_file: Path, visit: Visit, width: int) -> None:
     opened = visit(page_file, width, 900, wait_for="html[data-ready]")
+    for size in ((width, 900), (width, 1300), (width, 500)):
+        opened.page.set_viewport_size({"width": size[0], "height": size[1]})
+        shown = opened.page.evaluate(MAP)
+        assert max(shown["ground"]) <= 0, size
+        assert width < 600 or (shown["scale"] > 0.7 and shown["empty"] < 1), size
     assert opened.page.evaluate("document.documentElement.scrollWidth") <= width
     assert opened.page.locator("#panel").evaluate("e => e.scrollWidth <= e.clientWidth")
     opened.check(page_file)

@@ -108,7 +108,11 @@ def path_of(lines: Iterable[list[Point]], width: float, height: float) -> str:
 
 
 def network_path(
-    lines: Iterable[list[Point]], width: float, height: float, most: int = MOST_NETWORK_DATA
+    lines: Iterable[list[Point]],
+    width: float,
+    height: float,
+    most: int = MOST_NETWORK_DATA,
+    beyond: float = 0.0,
 ) -> str:
     """Return the background: to whole pixels, twin carriageways once.
 
@@ -120,6 +124,8 @@ def network_path(
         Of the drawing.
     most : int
         About how many characters it may take.
+    beyond : float
+        How far beyond the edges of the drawing it reaches, in pixels.
 
     Returns
     -------
@@ -129,7 +135,10 @@ def network_path(
     kept: dict[tuple[Point, ...], list[Point]] = {}
     for line in lines:
         points = [(float(round(x)), float(round(y))) for x, y in simplified(line)]
-        if not _near(points, width, height) or max(np.ptp(np.asarray(points), axis=0)) < 1.5:
+        if (
+            not _near(points, width, height, beyond)
+            or max(np.ptp(np.asarray(points), axis=0)) < 1.5
+        ):
             continue
         # The other carriageway has nearly the same ends, a pixel or two apart.
         ends = tuple(sorted((round(x / 3), round(y / 3)) for x, y in (points[0], points[-1])))
@@ -146,6 +155,11 @@ def network_path(
     return "".join(parts)
 
 
-def _near(points: Sequence[Point], width: float, height: float) -> bool:
+def _near(points: Sequence[Point], width: float, height: float, beyond: float = 0.0) -> bool:
     xs, ys = zip(*points, strict=True)
-    return bool(max(xs) > 0 and min(xs) < width and max(ys) > 0 and min(ys) < height)
+    return bool(
+        max(xs) > -beyond
+        and min(xs) < width + beyond
+        and max(ys) > -beyond
+        and min(ys) < height + beyond
+    )

@@ -16,7 +16,7 @@ from ..document.status import lateness
 from ..drawing.palette import FLOWS, GAIN, LOSS
 from ..language.speech import number, say, speaking
 from ..maps.beside import shifted, simplified
-from ..maps.ground_paths import BEYOND, ground_piece, town_dots
+from ..maps.ground_paths import ground_piece, town_dots
 from ..maps.map_texts import placed_names
 from ..maps.map_view import MapView
 from ..maps.pixels import network_path, path_data
@@ -31,6 +31,9 @@ __all__ = ["CLASSES", "flow_class", "write_flows"]
 
 CLASSES = len(FLOWS)
 THINNEST, WIDEST = 1.8, 9.0
+
+NARROWEST, WIDEST_FRAME = 0.7, 2.3
+"""Width to height of the frames that ground and network fill; flows.css keeps to them."""
 
 LEFT, RIGHT, TOP, BASE = 30.0, 366.0, 12.0, 150.0
 
@@ -173,7 +176,8 @@ def _map(found: FlowDocument) -> Piece:
         if group.is_platoon
     ]
     known = [view.pixels(line) for line in document.basemap.known]
-    network = network_path(known, view.width, view.height)
+    beyond = _beyond(view)
+    network = network_path(known, view.width, view.height, beyond=beyond)
     narrow = cover.copy()
     cover.add_box(Box(0, 0, 190, 150))
     towns = view.places(document).towns
@@ -185,7 +189,7 @@ def _map(found: FlowDocument) -> Piece:
             "width": f"{view.width:g}",
             "height": f"{view.height:g}",
             "title": say("flows.map-title", what=document.subtitle),
-            "ground": ground_piece(document, view, BEYOND),
+            "ground": ground_piece(document, view, beyond),
             "towns": town_dots(document, view),
             "network": network,
             "casings": tuple(casings),
@@ -195,6 +199,13 @@ def _map(found: FlowDocument) -> Piece:
             "narrow": static_texts("narrow", large, NOTHING, scale=NARROW),
         },
     )
+
+
+def _beyond(view: MapView) -> float:
+    """Return how far beyond its edges a map is drawn, to fill a frame of another shape."""
+    across = (WIDEST_FRAME * view.height - view.width) / 2
+    down = (view.width / NARROWEST - view.height) / 2
+    return max(across, down)
 
 
 def _keys(most: int) -> Tree:
