@@ -116,9 +116,10 @@ MAP = """() => {
   const frame = svg.getBoundingClientRect();
   const ground = svg.querySelector('.ground');
   const b = ground.getBoundingClientRect();
+  const [left, top] = [b.left - frame.left, b.top - frame.top];
   const map = document.querySelector('.map').getBoundingClientRect();
   return {
-    ground: [b.left - frame.left, b.top - frame.top, frame.right - b.right, frame.bottom - b.bottom],
+    ground: [left, top, frame.right - b.right, frame.bottom - b.bottom],
     scale: svg.getScreenCTM().a,
     empty: map.height - frame.height,
   };

@@ -141,10 +141,11 @@ function drawEvents() {
     const one = events.length === 1;
     const names = [...new Set(events.map(({ name }) => isolated(name)))].slice(0, 4).join(", ");
     const noun = say(NOUNS[event.kind][one ? 0 : 1], { n: events.length });
-    const head = `${noun}: ${one ? event.name : names}`;
+    const order = one ? `${indexes[0] + 1}. ` : "";
+    const head = `${order}${noun}: ${one ? event.name : names}`;
     const lines = one ? [event.text, event.detail] : events.slice(0, 4).map(({ text }) => text);
     const made = mark([event.lat, event.lon], eventPicture(event.kind, events.length), EVENT_PX,
-      one ? `${indexes[0] + 1}. ${head}, ${event.text}` : head, "event-mark",
+      one ? `${head}, ${event.text}` : head, "event-mark",
       [...new Set(events.flatMap(concerned))], { zIndexOffset: 400 });
     made.bindTooltip(tooltip({ head, lines }), { direction: "top", offset: [0, -12], opacity: 1 });
     act(made, one ? () => openEvent(indexes[0]) : () => closer(made));
