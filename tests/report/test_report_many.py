@@ -136,6 +136,25 @@ def test_a_pointer_previews(pages: Callable[[str], Path], visit: Visit) -> None:
 # -- the search ------------------------------------------------------------------------------------
 
 
+HIDDEN_ENDS = """(index) => {
+  const plan = unpacked(JSON.parse(document.getElementById('plan-data').textContent));
+  const { origin, destination } = plan.vehicles[index];
+  const frame = map_plan.getContainer().getBoundingClientRect();
+  const over = [...document.querySelectorAll(
+    '.map .legend-box, .map .leaflet-control, .map .credit, .map .journey, .map .chosen')]
+    .map((one) => one.getBoundingClientRect());
+  return [origin, destination].filter(({ lat, lon }) => {
+    const at = map_plan.latLngToContainerPoint([lat, lon]);
+    const x = at.x + frame.left;
+    const y = at.y + frame.top;
+    return x < frame.left + 12 || x > frame.right - 12
+      || y < frame.top + 12 || y > frame.bottom - 12
+      || over.some((box) =>
+        x > box.left - 12 && x < box.right + 12 && y > box.top - 12 && y < box.bottom + 12);
+  }).map(({ name }) => name);
+}"""
+
+
 @browser
 def test_search_by_keyboard(pages: Callable[[str], Path], visit: Visit) -> None:
     # Who asks for calm is taken there at once.
@@ -157,6 +176,12 @@ def test_search_by_keyboard(pages: Callable[[str], Path], visit: Visit) -> None:
     at = page.evaluate("(() => { const c = map_plan.getCenter(); return [c.lng, c.lat]; })()")
     assert at == pytest.approx([8.17, 45.37], abs=0.02)
     assert page.locator(".found-ring").count() == 1
+    # From so near, whole journeys come into view, and nothing that covers the map hides their ends.
+    for number in (2, 12, 30, 50):
+        field.fill(f"truck {number}")
+        field.press("ArrowDown")
+        field.press("Enter")
+        assert page.evaluate(HIDDEN_ENDS, number - 1) == []
     field.fill("no such thing")
     assert options.count() == 0
     assert page.locator(".find [role=status]").inner_text() == "0 found"

@@ -1,7 +1,7 @@
 /* A vehicle, place, junction, merge or separation by its name: choosing one lifts the vehicle out, or
  * shows the place on the map. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
-function wireFind({ plan, map, frame, calm, group, selection, solos, platoons }, openEvent) {
+function wireFind({ plan, map, frame, calm, group, selection, solos, platoons }, openEvent, showWay) {
 
 const { element, say } = pageElements;
 const box = document.querySelector(".find");
@@ -64,23 +64,17 @@ function mapInView() {
   frame.scrollIntoView({ block: "start", behavior: calm.matches ? "auto" : "smooth" });
 }
 
-function boundsOf(index) {
-  const bounds = L.latLngBounds([]);
-  for (const [kind, at] of plan.vehicles[index].way) {
-    for (const part of (kind === "solo" ? solos : platoons)[at].parts) bounds.extend(part.points);
-  }
-  for (const stop of [plan.vehicles[index].origin, plan.vehicles[index].destination]) {
-    bounds.extend([stop.lat, stop.lon]);
-  }
-  return bounds;
+const wayOf = (index) => plan.vehicles[index].way.flatMap(([kind, at]) =>
+  (kind === "solo" ? solos : platoons)[at].parts.flatMap((part) => part.points));
+
+function showAll(index) {
+  const { origin, destination } = plan.vehicles[index];
+  showWay([origin, destination].map(({ lat, lon }) => [lat, lon]), wayOf(index));
 }
 
 function showVehicle(index) {
   if (selection.chosen !== index) selection.choose(index);
-  const bounds = boundsOf(index);
-  if (!map.getBounds().contains(bounds)) {
-    map.fitBounds(bounds, { padding: [60, 60], maxZoom: 12, animate: !calm.matches });
-  }
+  showAll(index);
 }
 
 const ring = group("found");
@@ -104,10 +98,7 @@ selection.on((chosen, _, changed) => {
   if (getComputedStyle(document.getElementById("panel")).overflowY === "auto" && window.innerWidth >= 900) {
     row?.scrollIntoView({ block: "nearest" });
   }
-  const bounds = boundsOf(chosen);
-  if (!map.getBounds().intersects(bounds)) {
-    map.fitBounds(bounds, { padding: [60, 60], maxZoom: 12, animate: !calm.matches });
-  }
+  if (!map.getBounds().intersects(L.latLngBounds(wayOf(chosen)))) showAll(chosen);
 });
 
 // -- the field and its list -----------------------------------------------------------------------

@@ -68,31 +68,35 @@ function marksAt(zoom) {
 
 // -- the frame ------------------------------------------------------------------------------------
 
-function search() {
+const whole = { plain: bounds.getSize(), stops: ends, points: along, boxesAt: marksAt };
+
+function search({ plain, stops, points, boxesAt } = whole) {
   const size = map.getSize();
   const edge = Math.min(Math.max(Math.min(size.x, size.y) * 0.03, 6), 24);
   const room = size.subtract([2 * edge + MARK_PX, 2 * edge + MARK_PX]);
-  const plain = bounds.getSize();
   const most = Math.log2(Math.min(
     Math.max(room.x, 1) / (plain.x || 1e-9), Math.max(room.y, 1) / (plain.y || 1e-9), 2 ** NEAREST_ZOOM,
   ));
   return bestView({
-    covers: covers(frame), size, edge, most, least: map.getMinZoom(), boxesAt: marksAt,
-    roughAt: (zoom) => ends.map((at) => grown(boxAt(at, zoom, MARK_PX))),
-    pointsAt: (zoom) => along.map((at) => boxAt(at, zoom, LINE_PX)),
+    covers: covers(frame), size, edge, most, least: map.getMinZoom(), boxesAt,
+    roughAt: (zoom) => stops.map((at) => grown(boxAt(at, zoom, MARK_PX))),
+    pointsAt: (zoom) => points.map((at) => boxAt(at, zoom, LINE_PX)),
   });
 }
 
-/* Are all marks in the frame and clear of what covers it? */
-function isClear() {
+/* Are these boxes in the frame and clear of what covers it? */
+function areClear(boxes) {
   const size = map.getSize();
   const over = covers(frame);
-  return marks.boxes().every((box) => {
-    const { x, y } = map.layerPointToContainerPoint([box.x, box.y]);
-    if (x < 0 || y < 0 || x + box.w > size.x || y + box.h > size.y) return false;
+  return boxes.every(({ x, y, w, h }) => {
+    if (x < 0 || y < 0 || x + w > size.x || y + h > size.y) return false;
     return over.every((cover) =>
-      x + box.w <= cover.x || cover.x + cover.w <= x || y + box.h <= cover.y || cover.y + cover.h <= y);
+      x + w <= cover.x || cover.x + cover.w <= x || y + h <= cover.y || cover.y + cover.h <= y);
   });
+}
+
+function isClear() {
+  return areClear(marks.boxes().map((box) => ({ ...box, ...map.layerPointToContainerPoint([box.x, box.y]) })));
 }
 
 function openLegend(open) {
@@ -141,6 +145,20 @@ function moveTo(centre, zoom) {
   redraw();
 }
 
+/* Show a way between two places clear of what covers the map, unless both are so already. */
+function showWay(places, way) {
+  if (areClear(places.map((at) => boxAt(map.latLngToContainerPoint(at), 0, MARK_PX)))) return;
+  const stops = places.map((at) => map.project(at, 0));
+  const every = way.map((at) => map.project(at, 0));
+  const step = Math.ceil(every.length / MOST_POINTS);
+  const best = search({
+    stops, points: every.filter((_, i) => i % step === 0),
+    plain: L.bounds([...stops, ...every]).getSize(),
+    boxesAt: (zoom) => stops.map((at) => grown(boxAt(at, zoom, MARK_PX))),
+  });
+  if (best) moveTo(map.unproject(map.getSize().divideBy(2).subtract([best.x, best.y]), best.zoom), best.zoom);
+}
+
 /* Show the whole plan. */
 function showPlan() {
   moved = false;
@@ -181,5 +199,5 @@ function watch() {
   });
 }
 
-return { showPlan, moveTo, watch, isMoved: () => moved, isWorking: () => working };
+return { showPlan, showWay, moveTo, watch, isMoved: () => moved, isWorking: () => working };
 }

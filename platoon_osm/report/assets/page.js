@@ -35,7 +35,7 @@ drawGround(scene);
 routes.restack();
 wireLegend({ map, groups, hidden, settle });
 const events = wireEvents(scene, marks);
-wireFind(scene, events.open);
+wireFind(scene, events.open, fit.showWay);
 sayChosen(scene);
 selection.on((_chosen, _hinted, changed) => {
   if (!changed) return;
