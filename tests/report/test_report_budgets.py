@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from plan_kinds import plan_kind
 
 import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
@@ -74,6 +75,16 @@ def grid_file(grid: RoadNetwork, tmp_path_factory: pytest.TempPathFactory) -> Pa
 def test_size_at_20000_edges(grid: RoadNetwork, grid_file: Path) -> None:
     assert 19_000 < grid.m < 21_000
     assert grid_file.stat().st_size < 900_000
+
+
+@pytest.mark.parametrize(
+    ("kind", "most"), [("fifty vehicles", 700e3), ("five hundred vehicles", 3e6)]
+)
+def test_size_of_crowds(kind: str, most: float, tmp_path: Path) -> None:
+    """Of which scripts, styles and Leaflet are 0.29 MB."""
+    path = tmp_path / "page.html"
+    write_html(*plan_kind(kind), path)
+    assert path.stat().st_size < most
 
 
 @browser

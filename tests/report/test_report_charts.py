@@ -67,7 +67,7 @@ TEXTS = """() => {
     const scale = frame.width / chart.viewBox.baseVal.width;
     const boxes = [...chart.querySelectorAll('text')].map(one => {
       const { left, right, top, bottom } = one.getBoundingClientRect();
-      const size = Number(one.getAttribute('font-size')) * scale;
+      const size = parseFloat(getComputedStyle(one).fontSize) * scale;
       return { text: one.textContent, left, right, top, bottom, size };
     });
     const box = chart.parentElement;

@@ -152,10 +152,11 @@ def compare_tracks(plan: Plan, net: Any, opened: Any, folder: Path) -> None:
         assert len(places) >= expected - 1
 
 
+@pytest.mark.parametrize("kind", ["three vehicles", "fifty vehicles"])
 def test_the_document_is_saved_but_for_what_charts_alone_show(
-    shown_plan: Callable[..., Any],
+    kind: str, shown_plan: Callable[..., Any]
 ) -> None:
-    plan, net = plan_kind("three vehicles")
+    plan, net = plan_kind(kind)
     opened = shown_plan(plan, net)
     name, data = saved(opened, "json")
     assert name == "torino-monday.json"

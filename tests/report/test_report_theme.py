@@ -202,7 +202,7 @@ INKS = """() => {
   return {
     paper: style('html').backgroundColor, ink: style('h1').color,
     line: style('.leaflet-platoons-pane path[stroke="#0072b2"]').stroke,
-    badge: style('.badge [fill="#0072b2"]').fill,
+    badge: style('.badge circle').fill,
   };
 }"""
 

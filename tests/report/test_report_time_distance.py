@@ -27,7 +27,10 @@ def diagrams(path: Path) -> list[ElementTree.Element]:
     """The diagrams of a page."""
     text = path.read_text(encoding="utf-8")
     found = re.findall(r'<svg class="along diagram".*?</svg>', text, re.DOTALL)
-    return [ElementTree.fromstring(one) for one in found]
+    # XML has quotes; and classes that only stand for frequent attributes say nothing here.
+    quoted = [re.sub(r"=([-\w.]+)(?=[ >])", r'="\1"', one) for one in found]
+    own = [re.sub(r'class="(\w*?) ?_\w+"', r'class="\1"', one) for one in quoted]
+    return [ElementTree.fromstring(one) for one in own]
 
 
 def drawn(chart: ElementTree.Element) -> dict[int, list[Line]]:
@@ -42,7 +45,7 @@ def drawn(chart: ElementTree.Element) -> dict[int, list[Line]]:
                 continue
             spots = [tuple(map(float, spot.split(","))) for spot in one.attrib["points"].split()]
             points = [((x - left) / per_metre, begin + (y - top) / per_second) for x, y in spots]
-            move = re.findall(r"-?[\d.]+", one.attrib["transform"])
+            move = re.findall(r"-?[\d.]+", one.get("transform", "0 0"))
             by = float(move[0]), float(move[1])
             found.setdefault(int(course.attrib["data-vehicle"]), []).append((points, by))
     return found

@@ -9,7 +9,7 @@ const places = ({ at, names, ranks }) => {
   return decoded(at, 1).map(([lat, lon], i) =>
     ranks ? [lon, lat, named[i], Number(ranks[i])] : [lon, lat, named[i]]);
 };
-const data = JSON.parse(document.getElementById("plan-data").textContent);
+const data = unpacked(JSON.parse(document.getElementById("plan-data").textContent));
 const plan = { ...data, towns: places(data.towns), junctions: places(data.junctions) };
 const map = window.map_plan;
 const frame = map.getContainer();

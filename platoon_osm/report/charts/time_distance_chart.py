@@ -13,7 +13,7 @@ from ..drawing.palette import LATE, MUTED, TICK
 from ..language.speech import say
 from ..markup.fragments import NOTHING, Piece, Tree
 from .axes import SIZE, letter_type
-from .sentences import sentence, spoken_list
+from .sentences import sentence
 from .time_distance import Course, Diagram, diagram_of
 from .time_distance_layout import DiagramLayout, Slot, laid_out_diagram
 
@@ -46,7 +46,6 @@ def time_distance_chart(document: Document, members: Sequence[int], key: str = "
     if diagram is None:
         return NOTHING
     layout = laid_out_diagram(diagram)
-    vehicles = [document.vehicles[course.vehicle] for course in diagram.courses]
     return Piece(
         "time-distance",
         {
@@ -74,7 +73,6 @@ def time_distance_chart(document: Document, members: Sequence[int], key: str = "
             ),
             "events": tuple(_events(document, diagram, layout)),
             "badges": tuple(_badges(document, layout)),
-            "description": spoken_list(vehicles),
             "note": _note(document, layout),
         },
     )

@@ -1,7 +1,8 @@
 """The one border where records become plain JSON types.
 
 A record becomes an object with its fields in their order, a tuple an array, a line its short text;
-numbers, texts and None stay what they are. A field marked as not meant for readers is left out.
+texts and None stay what they are, numbers keep nine digits. A field marked as not meant for readers
+is left out.
 """
 
 from __future__ import annotations
@@ -37,4 +38,5 @@ def as_json(value: object) -> Any:
         }
     if isinstance(value, list | tuple):
         return [as_json(item) for item in value]
-    return value
+    # Beyond them is but the last digits of sums; degrees have six behind the point.
+    return float(f"{value:.9g}") if isinstance(value, float) else value

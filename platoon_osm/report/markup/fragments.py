@@ -3,7 +3,7 @@
 This is the only place where text from outside meets markup. What a page shows is a tree of pieces,
 each the name of a fragment and what stands for its placeholders; `written` turns it into text. A
 value is escaped unless it is a piece, pieces one after another, or `Markup`, and `Markup` is made
-here alone.
+here alone, but for style_classes.py, which makes it from `Markup`.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ _TEXT = re.compile(r"@\{([\w.-]+)\}")
 
 
 class Markup(str):
-    """Text that is markup already; only this file makes it."""
+    """Text that is markup already; only this file and style_classes.py make it."""
 
     __slots__ = ()
 

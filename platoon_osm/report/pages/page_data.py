@@ -1,4 +1,4 @@
-"""The document as it stands in a page: hundreds of named places are written short.
+"""The document as it stands in a page: written short, records as columns, named places as lines.
 
 The script of the page puts them back (scene.js), so that it works on the document as
 docs/report.md has it; but for the fatigue along the day, which still charts alone show.
@@ -16,6 +16,7 @@ from ..document.model_map import JunctionLabel, TownLabel
 from ..drawing.polyline import encode_steps
 from ..markup.security import json_for_html
 from .online_map import Tiles
+from .packing import packed
 
 __all__ = ["page_data"]
 
@@ -40,7 +41,7 @@ def page_data(document: Document, tiles: Tiles | None) -> str:
         del vehicle["fatigue"]
     return json_for_html(
         {
-            **whole,
+            **packed(whole),
             "towns": _packed(document.towns, "".join(str(town.rank) for town in document.towns)),
             "junctions": _packed(document.junctions),
             "tiles": as_json(tiles),

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from ..document.model import Document
 from ..language.speech import speaking
-from ..markup.fragments import Piece, asset, compact_asset, page_texts, written_page
+from ..markup.fragments import Piece, asset, compact_asset, page_texts, written, written_page
 from ..markup.leaflet import Leaflet
 from ..markup.security import policy
 from ..markup.still_page import PAGE_STYLES
+from ..markup.style_classes import with_style_classes
 from .online_map import Tiles
 from .page_data import page_data
 from .panel import page_body
@@ -22,6 +23,7 @@ SCRIPTS = (
     "beside.js",
     "rover.js",
     "selection.js",
+    "unpacked.js",
     "scene.js",
     "tips.js",
     "room.js",
@@ -97,8 +99,9 @@ class PageParts:
         own_style = "".join(
             compact_asset(name) for name in (*PAGE_STYLES, "schedule.css", "selection.css")
         )
-        styles = [self.leaflet.style, own_style]
-        body = page_body(self.document, Piece("live-map", {"id": map_id}))
+        drawn = written(page_body(self.document, Piece("live-map", {"id": map_id})))
+        body, style = with_style_classes(drawn, own_style)
+        styles = [self.leaflet.style, style]
         tiles = self.tiles
         return written_page(
             "page.html",
