@@ -265,6 +265,19 @@ def pages_of(page: Any) -> int:
     return len(re.findall(rb"/Type\s*/Page[^s]", page.pdf(prefer_css_page_size=True)))
 
 
+def chart_type(page: Any) -> float:
+    """The smallest type of the charts on A4, in points."""
+    page.set_viewport_size({"width": round(184 / 25.4 * 96), "height": 1000})
+    page.emulate_media(media="print")
+    sizes = page.evaluate(
+        """[...document.querySelectorAll('.panel svg:is(.bars, .along, .fatigue, .diagram) text')]
+          .filter(e => e.checkVisibility())
+          .map(e => parseFloat(getComputedStyle(e).fontSize) * e.getScreenCTM().a * 0.75)"""
+    )
+    page.emulate_media(media="screen")
+    return min(sizes, default=99.0)
+
+
 @browser
 @pytest.mark.parametrize("vehicles", [1, 2, 8, 9, 20, 50])
 def test_any_plan_prints_on_two_pages(
@@ -284,6 +297,7 @@ def test_any_plan_prints_on_two_pages(
           .map(e => parseFloat(getComputedStyle(e).fontSize) * 0.75)"""
     )
     assert min(sizes) >= 6.4
+    assert chart_type(page) >= 5.7
     assert page.evaluate("document.documentElement.scrollWidth") <= 1440
 
 
@@ -295,7 +309,7 @@ def test_several_platoons_print_on_two_pages(two_file: Path, visit: Visit) -> No
 
 
 @browser
-@pytest.mark.parametrize("vehicles", [3, 8, 20])
+@pytest.mark.parametrize("vehicles", [3, 6, 8, 20])
 def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, vehicles: int) -> None:
     net = platoon_osm.load_network("italy-motorways")
     towns = ["Torino", "Trieste", "Milano", "Bologna", "Padova", "Verona", "Genova", "Brescia"]
@@ -312,7 +326,9 @@ def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, veh
     plan = platoon_osm.plan_joint(net, platoon_osm.paper_weights(net), trips, case="C")
     path = tmp_path / "timed.html"
     write_html(plan, net, path)
-    assert pages_of(visit(path).page) <= 2
+    page = visit(path).page
+    assert pages_of(page) <= 2
+    assert chart_type(page) >= 5.7
 
 
 def test_those_of_one_reason_share_a_note(many: JointPlan, net: RoadNetwork) -> None:

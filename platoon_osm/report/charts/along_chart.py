@@ -15,7 +15,7 @@ from .axes import SIZE, WIDTH, Tick, letter_type, number_scale
 
 __all__ = ["along_chart", "ticks_of"]
 
-LEFT, RIGHT = 34.0, 364.0
+LEFT, RIGHT = 34.0, WIDTH - 8
 ALONG_TOP, ALONG_ROW = 30, 26
 
 ICON_WIDTH = 15.0

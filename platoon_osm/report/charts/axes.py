@@ -26,7 +26,7 @@ __all__ = [
     "text_width",
 ]
 
-WIDTH = 372.0
+WIDTH = 344.0
 """Of every chart, in its own pixels; a page shows them at about 0.95 to 1.05 of that."""
 
 SIZE = 12.0

@@ -17,7 +17,7 @@ from .sentences import sentence, spoken_list
 
 __all__ = ["BEYOND", "schedule_chart", "schedule_notes"]
 
-LEFT, RIGHT = 38.0, 358.0
+LEFT, RIGHT = 38.0, WIDTH - 14
 ROW, CROWDED_ROW = 38, 26
 TOP, CROWDED_TOP = 8, 22
 

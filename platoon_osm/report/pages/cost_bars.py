@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ..charts.axes import WIDTH
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..language.speech import say
@@ -12,7 +13,7 @@ from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["cost_bars"]
 
-BARS_LEFT, BARS_END = 34.0, 372.0
+BARS_LEFT, BARS_END = 34.0, WIDTH
 BAR_ROW = 30
 
 DIGIT, NET_DIGIT = 6.3, 7.4
@@ -75,7 +76,7 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
         _bar_row(document, index, gain, loss, scale, 22 + BAR_ROW * place)
         for place, (index, (gain, loss)) in enumerate(zip(members, both, strict=True))
     ]
-    heads = [("372", "end", say("bars.net"))]
+    heads = [(f"{WIDTH:g}", "end", say("bars.net"))]
     if split:
         heads.append((f"{zero + 6:.1f}", "start", say("bars.gained")))
         if most_loss > 0:
