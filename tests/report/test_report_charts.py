@@ -106,7 +106,7 @@ def test_no_text_of_a_chart_is_cut_or_covers_another(
     plan, net = made(kind)
     write_html(plan, net, tmp_path / "plan.html")
     page = visit(tmp_path / "plan.html", java_script_enabled=False).page
-    for width in (1440, 390):
+    for width in (1440, 390, 320):
         page.set_viewport_size({"width": width, "height": 900})
         charts = page.evaluate(TEXTS)
         assert charts
@@ -115,8 +115,8 @@ def test_no_text_of_a_chart_is_cut_or_covers_another(
             assert chart["boxes"]
             assert chart["hidden"] <= 0, "a part has to be scrolled to"
             for box in chart["boxes"]:
-                # Two wide letters in a disc are a little smaller.
-                least = 9.9 if len(box["text"]) == 2 else 10.8
+                # Wide letters in a disc are a little smaller.
+                least = 9.4 if len(box["text"]) <= 2 else 10.4
                 assert box["size"] > least, (width, chart["name"], box["text"])
 
 
