@@ -17,6 +17,9 @@ from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.trip import Trip
 from platoon_osm.report import write_html
+from platoon_osm.report.charts.fatigue_chart import fatigue_chart
+from platoon_osm.report.document.document import document_of
+from platoon_osm.report.markup.fragments import written
 
 Visit = Callable[..., Any]
 browser = pytest.mark.browser
@@ -139,3 +142,14 @@ def test_the_test_of_boxes_can_fail() -> None:
     assert faults(chart) == ["x: 'a' covers 'a'"]
     chart["boxes"] = [{**box, "right": 22}]
     assert faults(chart) == ["x: 'a' is cut at a side"]
+
+
+@pytest.mark.parametrize(("kind", "columns"), [("all alone", 1), ("three vehicles", 2)])
+def test_fatigue_of_who_drive_alone_is_told_once(kind: str, columns: int) -> None:
+    plan, net = made(kind)
+    chart = written(fatigue_chart(document_of(plan, net)))
+    assert chart.count(">alone<") == chart.count(">joint<") == columns - 1
+    assert chart.count(">highest<") == 2 - columns
+    assert chart.count("<polyline") == columns * len(plan.vehicles)
+    assert ("Dashed" in chart) == (columns == 2)
+    assert "at the right the highest of each" in chart

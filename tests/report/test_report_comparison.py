@@ -107,6 +107,15 @@ def test_page(page_file: Path, visit: Visit, width: int, script: bool) -> None:
     if script:
         assert page.evaluate("document.documentElement.scrollWidth") <= width
         assert page.locator(".small-map").first.bounding_box()["width"] > 0.25 * width
+        # No sum has to be scrolled to, and none runs into the next one.
+        box = ".table-box:has(.sums)"
+        assert page.locator(box).evaluate("e => e.scrollWidth <= e.clientWidth")
+        assert page.locator(f"{box} td").evaluate_all(
+            "all => all.every(e => e.scrollWidth <= e.clientWidth + 1)"
+        )
+        heads = page.get_by_role("columnheader", name="In platoon", include_hidden=False)
+        assert heads.count() == 1
+        assert page.get_by_role("row", name="C").get_by_role("cell").count() >= 6
     opened.check(page_file)
 
 

@@ -142,7 +142,14 @@ def pages(
     return made
 
 
-VIEWS = [(1440, "light"), (900, "light"), (390, "light"), (1440, "dark"), (390, "dark")]
+VIEWS = [
+    (1440, "light"),
+    (900, "light"),
+    (390, "light"),
+    (1440, "dark"),
+    (900, "dark"),
+    (390, "dark"),
+]
 
 
 @browser

@@ -74,11 +74,11 @@ def fatigue_chart(document: Document) -> Tree:
     most = max(max(one.fatigue.alone_peak, one.fatigue.joint_peak) for one in vehicles)
     if hours <= 0 or most <= 0:
         return NOTHING
-    frame = _frame(hours, most)
-    bottom = TOP + ROW * len(vehicles)
     company = any(kind == "platoon" for vehicle in vehicles for kind, _ in vehicle.way)
+    frame = _frame(hours, most, company)
+    bottom = TOP + ROW * len(vehicles)
     rows = [
-        _row(frame, index, vehicle, TOP + ROW * index, frame.left + leave * frame.per_hour)
+        _row(frame, company, index, vehicle, TOP + ROW * index, frame.left + leave * frame.per_hour)
         for index, (vehicle, leave) in enumerate(zip(vehicles, leaves, strict=True))
     ]
     ticks = _times(document, frame, begin_s, hours)
@@ -90,7 +90,9 @@ def fatigue_chart(document: Document) -> Tree:
         {
             "height": f"{bottom + SIZE * (1 + two) + 8:g}",
             "ticks": tuple(ticks_of(ticks, zero, per_unit, TOP - 4, bottom)),
-            "alone_x": f"{frame.alone:.1f}",
+            "heads": Piece("fatigue-heads", {"alone_x": f"{frame.alone:.1f}"})
+            if company
+            else Piece("fatigue-head"),
             "rows": tuple(rows),
             "heading": say("fatigue.by-clock" if schedule else "fatigue.by-hours"),
             "note": " ".join(_notes(document, company)),
@@ -98,7 +100,7 @@ def fatigue_chart(document: Document) -> Tree:
                 "fatigue.title",
                 who="; ".join(
                     say(
-                        "fatigue.peaks",
+                        "fatigue.peaks" if company else "fatigue.peak",
                         vehicle=vehicle.letter,
                         alone=number(vehicle.fatigue.alone_peak),
                         joint=number(vehicle.fatigue.joint_peak),
@@ -110,14 +112,15 @@ def fatigue_chart(document: Document) -> Tree:
     )
 
 
-def _frame(hours: float, most: float) -> _Frame:
+def _frame(hours: float, most: float, company: bool) -> _Frame:
     """Return a frame whose columns hold their heads, and whose scale holds its labels."""
     power = 10.0 ** math.floor(math.log10(most))
     value = max(mark * power for mark in MARKS if mark * power <= most)
     left = BADGE + text_width(plain(value), SIZE) + 6
-    joint = max(text_width(say("fatigue.joint"), SIZE, True), text_width("999", SIZE, True))
+    last = say("fatigue.joint" if company else "fatigue.highest")
+    joint = max(text_width(last, SIZE, True), text_width("999", SIZE, True))
     alone = max(text_width(say("fatigue.alone"), SIZE), text_width("999", SIZE))
-    right = WIDTH - joint - alone - 2 * COLUMN_GAP
+    right = WIDTH - joint - COLUMN_GAP - (alone + COLUMN_GAP) * company
     return _Frame(
         left, right, WIDTH - joint - COLUMN_GAP, (right - left) / hours, HEIGHT / most, value
     )
@@ -142,13 +145,17 @@ def _notes(document: Document, company: bool) -> Iterator[str]:
     """Yield what the drawing means; plans without a platoon do not speak of one."""
     yield say("fatigue.scale")
     if company:
+        yield say("fatigue.coloured")
         yield say("fatigue.in-platoon-or-waiting" if document.schedule else "fatigue.in-platoon")
-    yield say("fatigue.dashed")
+        yield say("fatigue.dashed")
+    yield say("fatigue.day-left-out")
     if any(curve.beyond for vehicle in document.vehicles for curve in vehicle.fatigue.curves):
         yield say("fatigue.beyond")
 
 
-def _row(frame: _Frame, index: int, vehicle: Vehicle, y: float, left: float) -> Piece:
+def _row(
+    frame: _Frame, company: bool, index: int, vehicle: Vehicle, y: float, left: float
+) -> Piece:
     fatigue = vehicle.fatigue
     base = HEIGHT
 
@@ -167,6 +174,13 @@ def _row(frame: _Frame, index: int, vehicle: Vehicle, y: float, left: float) -> 
 
     joint = path(fatigue.joint)
     first, last = joint.split(" ")[0], joint.rsplit(" ", 1)[-1]
+    alone: Tree = NOTHING
+    if company:
+        peak = number(fatigue.alone_peak)
+        alone = Piece(
+            "fatigue-alone",
+            {"points": path(fatigue.alone), "x": f"{frame.alone:.1f}", "peak": peak},
+        )
     mark = base - frame.round_value * frame.per_point
     return Piece(
         "fatigue-row",
@@ -176,7 +190,7 @@ def _row(frame: _Frame, index: int, vehicle: Vehicle, y: float, left: float) -> 
             "colour": vehicle.colour,
             "letter": vehicle.letter,
             "size": letter_type(vehicle.letter),
-            "alone": path(fatigue.alone),
+            "alone": alone,
             "joint": joint,
             "area": f"{first.split(',')[0]},{base:g} {joint} {last.split(',')[0]},{base:g}",
             "left": f"{frame.left:.1f}",
@@ -188,8 +202,6 @@ def _row(frame: _Frame, index: int, vehicle: Vehicle, y: float, left: float) -> 
             "zero_y": f"{base + 1:g}",
             "round": plain(frame.round_value),
             "round_y": f"{mark + 4.2:.1f}",
-            "alone_x": f"{frame.alone:.1f}",
-            "alone_peak": number(fatigue.alone_peak),
             "peak": number(fatigue.joint_peak),
         },
     )

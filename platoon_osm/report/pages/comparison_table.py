@@ -54,6 +54,7 @@ def sums_table(found: AlikePlans, plans: tuple[Document, ...], key: str) -> Piec
     keys = ["table.alone", "table.joint", "table.saving", "compare.distance"]
     keys += ["compare.in-platoon"] * together + ["compare.fuel"]
     keys += ["compare.waiting"] * timed + ["compare.late"] * late
+    labels = [say(key) for key in keys]
     rows = []
     for place, plan, difference in zip(found.plans, shown, found.differences, strict=True):
         wanted = (True, True, True, True, together, True, timed, late)
@@ -69,7 +70,7 @@ def sums_table(found: AlikePlans, plans: tuple[Document, ...], key: str) -> Piec
                 {
                     "title": plan.title,
                     "base": Piece("comparison-base") if is_base else NOTHING,
-                    "cells": tuple(map(_piece, cells)),
+                    "cells": tuple(map(_piece, cells, labels)),
                 },
             )
         )
@@ -79,18 +80,18 @@ def sums_table(found: AlikePlans, plans: tuple[Document, ...], key: str) -> Piec
         {
             "key": key,
             "unit": shown[0].cost_unit.label,
-            "heads": tuple(Piece("comparison-head", {"title": say(one)}) for one in keys),
+            "heads": tuple(Piece("comparison-sum-head", {"title": label}) for label in labels),
             "rows": tuple(rows),
             "against": Piece("item", {"text": against}) if len(shown) > 1 else NOTHING,
         },
     )
 
 
-def _piece(cell: _Cell) -> Piece:
+def _piece(cell: _Cell, label: str) -> Piece:
     differs: Tree = NOTHING
     if cell.differs:
         differs = Piece("comparison-differs", {"text": cell.differs, "sign": cell.sign})
-    return Piece("comparison-cell", {"text": cell.text, "differs": differs})
+    return Piece("comparison-cell", {"text": cell.text, "differs": differs, "label": label})
 
 
 def _cells(plan: Document, difference: Difference | None) -> Iterator[_Cell]:
