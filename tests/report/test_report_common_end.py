@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from plan_kinds import plan_kind
+from plan_kinds import italy, plan_kind
 
+import platoon_osm as po
 from platoon_osm.report import report_document
 
 
@@ -23,3 +24,19 @@ def test_who_parts_on_the_way_separates() -> None:
     events = report_document(plan, net)["events"]
     assert [event["kind"] for event in events].count("separation") == 2
     assert not any("together" in event["detail"] for event in events)
+
+
+@pytest.mark.parametrize(
+    ("ends", "told"),
+    [
+        (("Trieste", "A4/A22 Verona", "A4/A22 Verona"), "B and C arrive"),
+        (("Trieste", "Brennero", "A4/A22 Verona"), "B and C leave"),
+        (("Trieste", "Brennero", "Brennero"), "B and C leave"),
+    ],
+)
+def test_an_end_of_some_is_a_separation(ends: tuple[str, ...], told: str) -> None:
+    net = italy()
+    trips = [po.Trip(name, "Torino", end) for name, end in zip("ABC", ends, strict=True)]
+    plan = po.plan_joint(net, po.PaperCosts(), trips, "B", master="A")
+    events = report_document(plan, net)["events"]
+    assert [event["text"] for event in events if event["kind"] == "separation"][:1] == [told]

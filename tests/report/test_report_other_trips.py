@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import pytest
-from plan_kinds import plan_kind
+from plan_kinds import italy, plan_kind
 
 import platoon_osm
 from platoon_osm.cli import main
 from platoon_osm.errors import ScenarioError
 from platoon_osm.planning.scenario import read_scenario
+from platoon_osm.plans.plan import Plan
+from platoon_osm.plans.timetable import Timetable
 from platoon_osm.report import comparison_document, write_comparison
 
 Visit = Callable[..., Any]
@@ -72,6 +75,56 @@ def test_unlike_trips_are_grouped() -> None:
     assert [one["plans"] for one in found["sets"]] == [[0, 2], [1]]
     assert found["remarks"]
     assert comparison_document([together, late], net)["remarks"] == []
+
+
+@pytest.mark.parametrize(
+    "other", [("B", "Torino", "Trieste"), ("A", "Genova", "Trieste"), ("A", "Torino", "Belluno")]
+)
+def test_trips_are_alike_by_name_origin_and_destination(other: tuple[str, str, str]) -> None:
+    net = italy()
+    plans = [
+        platoon_osm.plan_joint(net, platoon_osm.PaperCosts(), [platoon_osm.Trip(*trip)])
+        for trip in (("A", "Torino", "Trieste"), other, ("A", "Torino", "Trieste"))
+    ]
+    found = comparison_document(plans, net)
+    assert [one["plans"] for one in found["sets"]] == [[0, 2], [1]]
+
+
+def test_differences_are_those_of_the_plans() -> None:
+    first, net = plan_kind("three vehicles")
+    second, _ = plan_kind("all alone")
+    waits = replace(first, timetable=late_by_an_hour(first))
+    (one,) = comparison_document([waits, second], net, baseline=1)["sets"]
+    found = one["differences"][0]
+    assert found["waiting_s"] == pytest.approx(
+        waits.timetable.waiting_s - second.timetable.waiting_s, abs=0.2  # type: ignore[union-attr]
+    )  # fmt: skip
+    assert found["waiting_s"] > 3000
+    fuel = [sum(vehicle.fuel_l for vehicle in plan.vehicles) for plan in (first, second)]
+    assert found["fuel_l"] == pytest.approx(fuel[0] - fuel[1], abs=0.01)
+    assert found["fuel_l"] < 0
+    length = [sum(vehicle.length_m for vehicle in plan.vehicles) for plan in (first, second)]
+    assert found["length_m"] == pytest.approx(length[0] - length[1], abs=1.0)
+
+
+def test_costs_in_other_units_are_not_subtracted() -> None:
+    plan, net = plan_kind("three vehicles")
+    euros = replace(plan, unit="EUR")
+    (one,) = comparison_document([plan, euros], net)["sets"]
+    assert one["differences"][1]["cost"] is None
+    assert "\u20ac" in one["remarks"][0]
+    (one,) = comparison_document([plan, plan], net)["sets"]
+    assert one["differences"][1]["cost"] == 0
+
+
+def late_by_an_hour(plan: Plan) -> Timetable:
+    """Return times at which the last leg of the first vehicle begins after an hour's wait."""
+    table = plan.timetable
+    assert table is not None
+    first, *others = table.vehicles
+    *legs, (begin, end) = first.legs
+    waits = replace(first, legs=(*legs, (begin + 3600, end + 3600)))
+    return replace(table, vehicles=(waits, *others))
 
 
 @browser

@@ -13,6 +13,7 @@ from plan_kinds import KINDS, plan_kind
 
 from platoon_osm.plans.lateness import status_lines, who_is_late
 from platoon_osm.report import report_document, write_comparison, write_flows, write_html
+from platoon_osm.report.document.status import lateness
 from platoon_osm.report.document.status import status as page_status
 from platoon_osm.report.pages.notebook import plan_table
 
@@ -95,6 +96,20 @@ def test_the_words_of_lateness(
     plan, _ = plan_kind("three vehicles")
     monkeypatch.setattr("platoon_osm.plans.lateness._days", lambda _: days)
     assert list(status_lines(plan)) == [text]
+
+
+def test_who_ends_late_at_one_place_is_named() -> None:
+    def vehicle(called: str, minutes: int) -> Any:
+        text = SimpleNamespace(late=f"{minutes} min" if minutes else "")
+        return SimpleNamespace(called=called, is_late=minutes > 0, day=SimpleNamespace(text=text))
+
+    assert list(lateness([vehicle("A", 5)])) == ["5 min late"]
+    assert list(lateness([vehicle("A", 0)])) == []
+    assert list(lateness([vehicle("A", 5), vehicle("B", 0)])) == ["A: 5 min late"]
+    many = list(lateness([vehicle(name, 1) for name in "ABCDEFGH"]))
+    assert many[:5] == [f"{name}: 1 min late" for name in "ABCDE"]
+    assert many[5:] == ["and 3 more late"]
+    assert len(list(lateness([vehicle(name, 1) for name in "ABCDE"]))) == 5
 
 
 def test_a_late_plan_is_no_success() -> None:
