@@ -24,12 +24,8 @@ plan = po.plan_joint(net, costs, trips)
 print(plan.summary())
 
 folder = Path("pages")
-folder.mkdir(exist_ok=True)
-for language in ("en", "de", "it"):
-    # Texts, numbers and dates are in the language's form; the clock of 12 hours is for English.
-    page = folder / f"plan.{language}.html"
-    clock = 12 if language == "en" else 24
-    po.write_html(plan, net, page, language=language, clock=clock)
+# Texts, numbers and dates are in the language's form; each page leads to the others.
+for page in po.write_pages(plan, net, folder, languages=("en", "de", "it")):
     print(f"Written: {page}")
 
 plans = {

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from .report.exports.tracks import write_csv, write_gpx
     from .report.pages.comparison import write_comparison
     from .report.pages.flows import write_flows
+    from .report.pages.in_languages import write_pages
     from .report.pages.page import explore, write_html
     from .report.sheets.write import write_sheets
     from .search.engine import many_to_many
@@ -78,6 +79,7 @@ _WHERE = {
     "to_geodataframe": "report.exports.gis",
     "write_geopackage": "report.exports.gis",
     "write_html": "report.pages.page",
+    "write_pages": "report.pages.in_languages",
     "write_sheets": "report.sheets.write",
     "explore": "report.pages.page",
     "write_comparison": "report.pages.comparison",
@@ -140,6 +142,7 @@ __all__ = [
     "write_geopackage",
     "write_gpx",
     "write_html",
+    "write_pages",
     "write_sheets",
 ]
 

@@ -123,6 +123,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "write_gpx": (po.write_gpx, {**shown}),
         "write_geopackage": (po.write_geopackage, {**shown}),
         "write_sheets": (po.write_sheets, {**shown}),
+        "write_pages": (po.write_pages, {**shown}),
     }  # fmt: skip
 
 
@@ -146,6 +147,7 @@ NAMES = (
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",
     "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage", "write_sheets",
+    "write_pages",
 )  # fmt: skip
 
 

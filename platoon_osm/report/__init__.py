@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .exports.tracks import write_csv, write_gpx
     from .pages.comparison import write_comparison
     from .pages.flows import write_flows
+    from .pages.in_languages import write_pages
     from .pages.page import explore, plan_map, write_html
     from .sheets.write import write_sheets
 
@@ -36,6 +37,7 @@ _WHERE = {
     "explore": "pages.page",
     "plan_map": "pages.page",
     "write_html": "pages.page",
+    "write_pages": "pages.in_languages",
     "write_sheets": "sheets.write",
 }
 
@@ -56,6 +58,7 @@ __all__ = [
     "write_geopackage",
     "write_gpx",
     "write_html",
+    "write_pages",
     "write_sheets",
 ]
 

@@ -97,6 +97,12 @@ def _html(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = No
     write_html(plan, net, path, title=title)
 
 
+def _pages(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .pages.in_languages import write_pages
+
+    write_pages(plan, net, path, title=title)
+
+
 def _gpkg(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .exports.gis import write_geopackage
 
@@ -149,6 +155,14 @@ EXPORTERS: Registry[Exporter] = Registry(
     "exporter",
     [
         Exporter("html", "self-contained map to write", ".html", _html, also=HTM, is_text=True),
+        Exporter(
+            "pages",
+            "folder for the map in each language",
+            "",
+            _pages,
+            is_folder=True,
+            holds=("plan.*.html",),
+        ),
         Exporter("gpkg", "GeoPackage to write", ".gpkg", _gpkg),
         Exporter("json", "plan as JSON to write", ".json", _json, is_text=True),
         Exporter("csv", "legs as CSV to write", ".csv", _csv, is_text=True),

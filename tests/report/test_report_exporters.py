@@ -13,6 +13,7 @@ from platoon_osm.report.exporters import EXPORTERS, Exporter
 def test_the_exporters_and_their_order():
     assert list(EXPORTERS) == [
         "html",
+        "pages",
         "gpkg",
         "json",
         "csv",
@@ -23,6 +24,7 @@ def test_the_exporters_and_their_order():
         "figures",
     ]
     assert [name for name in EXPORTERS if EXPORTERS[name].is_folder] == [
+        "pages",
         "gpx",
         "drivers",
         "figures",
@@ -33,7 +35,7 @@ def test_the_exporters_and_their_order():
 
 
 @pytest.mark.parametrize(
-    "name", ["html", "gpkg", "json", "csv", "flows", "gpx", "sheets", "drivers"]
+    "name", ["html", "pages", "gpkg", "json", "csv", "flows", "gpx", "sheets", "drivers"]
 )
 def test_each_writes_what_its_function_writes(name, plan, net, tmp_path):
     exporter = EXPORTERS.find(name)
@@ -53,7 +55,9 @@ def test_a_user_adds_an_exporter(plan, net, tmp_path):
         path.write_text(f"{title}: {len(plan.vehicles)} vehicles, {net.m} edges", encoding="utf-8")
 
     def toy():
-        with pytest.raises(PlatoonError, match=r"exporter 'toy' is unknown.*html, gpkg, json"):
+        with pytest.raises(
+            PlatoonError, match=r"exporter 'toy' is unknown.*html, pages, gpkg, json"
+        ):
             EXPORTERS.find("toy")
 
     toy()

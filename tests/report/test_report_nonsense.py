@@ -36,17 +36,18 @@ WITH_PATH: dict[str, Call] = {
     "write_geopackage": report.write_geopackage,
     "write_figures": report.write_figures,
     "write_sheets": report.write_sheets,
+    "write_pages": report.write_pages,
     "write_comparison": lambda plan, net, path, **rest: report.write_comparison(
         [plan, plan], net, path, **rest
     ),
 }
-FOLDERS = ("write_gpx", "write_figures", "write_sheets")
+FOLDERS = ("write_gpx", "write_figures", "write_sheets", "write_pages")
 EVERY = {**WITHOUT_PATH, **WITH_PATH}
 TITLED = [
     "report_document", "flow_document", "plan_map", "explore", "comparison_document", "write_html",
-    "write_flows", "write_comparison", "write_sheets",
+    "write_flows", "write_comparison", "write_sheets", "write_pages",
 ]  # fmt: skip
-WEIGHTED = ["report_document", "plan_map", "explore", "write_html", "write_figures"]
+WEIGHTED = ["report_document", "plan_map", "explore", "write_html", "write_figures", "write_pages"]
 
 
 def refused(call: Call, *arguments: Any, **options: Any) -> str:

@@ -51,6 +51,7 @@ map.on("zoomend", () => {
 fit.watch();
 wireTouch(scene);
 const view = planView(map);
+view.part(...planView.ofLanguage());
 view.part(...planView.ofMap(map, fit));
 view.part(...planView.ofVehicle(map, plan, selection));
 if (journey) view.part(...planView.ofMoment(journey));

@@ -80,6 +80,32 @@ planView.ofMap = (map, fit) => {
   return ["map", text, go];
 };
 
+/* The language, of a page that is there in several: another one is the file beside, which is shown
+ * what is looked at here. */
+planView.ofLanguage = () => {
+  const links = [...document.querySelectorAll(".languages a")];
+  const own = document.documentElement.lang;
+  const key = "language";
+  const there = (link) => {
+    const rest = window.location.hash.slice(1).split("&").filter((part) => part && !part.startsWith(`${key}=`));
+    const url = new URL(link.href);
+    url.hash = [...rest, `${key}=${link.hreflang}`].join("&");
+    return url.href;
+  };
+  for (const link of links) {
+    link.addEventListener("click", (event) => {
+      if (event.button || event.metaKey || event.ctrlKey || event.shiftKey) return;
+      event.preventDefault();
+      window.location.assign(there(link));
+    });
+  }
+  const go = (code) => {
+    const link = links.find((one) => one.hreflang === code);
+    if (link) window.location.replace(there(link));
+  };
+  return [key, () => (links.length ? own : ""), go];
+};
+
 /* The moment of the slider, in whole seconds or metres since the beginning. */
 planView.ofMoment = (journey) => [
   "moment",

@@ -52,6 +52,13 @@ class Language:
     texts: Mapping[str, Text]
     locale: Locale
 
+    @property
+    def own_name(self) -> str:
+        """What its speakers call it, with the region if one was asked for."""
+        name = self.locale.languages[self.locale.language].capitalize()
+        region = self.locale.territories.get(self.locale.territory)
+        return f"{name} ({region})" if region and "-" in self.code else name
+
     def say(self, key: str, /, **fields: object) -> str:
         """Return a text with its fields filled in.
 

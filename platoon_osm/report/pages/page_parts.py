@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from ..document.model import Document
 from ..language.speech import speaking
-from ..markup.fragments import Piece, asset, compact_asset, page_texts, written, written_page
+from ..markup.fragments import (
+    NOTHING,
+    Piece,
+    Tree,
+    asset,
+    compact_asset,
+    page_texts,
+    written,
+    written_page,
+)
 from ..markup.leaflet import Leaflet
 from ..markup.security import policy
 from ..markup.still_page import PAGE_STYLES
@@ -13,7 +24,7 @@ from .online_map import Tiles
 from .page_data import page_data
 from .panel import page_body
 
-__all__ = ["SCRIPTS", "PageParts"]
+__all__ = ["SCRIPTS", "Another", "PageParts"]
 
 LEAFLET_LICENCE = "leaflet-licence.txt"
 
@@ -55,6 +66,14 @@ SCRIPTS = (
 """The page's own scripts, in their order: each may use those before it."""
 
 
+class Another(NamedTuple):
+    """The same page in a language: its code, what that calls itself, and the file beside."""
+
+    code: str
+    name: str
+    file: str
+
+
 class PageParts:
     """What a page is put together from, apart from what folium contributes.
 
@@ -66,12 +85,32 @@ class PageParts:
         What draws the live map.
     tiles : Tiles or None
         An online map underneath; None for a page that never asks the network for anything.
+    others : tuple of Another
+        The page in all its languages, its own among them; empty for a page in one.
     """
 
-    def __init__(self, document: Document, leaflet: Leaflet, tiles: Tiles | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        leaflet: Leaflet,
+        tiles: Tiles | None = None,
+        others: tuple[Another, ...] = (),
+    ) -> None:
         self.document = document
         self.leaflet = leaflet
         self.tiles = tiles
+        self.others = others
+
+    def _languages(self) -> Tree:
+        """Return links to the page in its other languages."""
+        own = self.document.language
+        rows = tuple(
+            Piece("language-own", {"name": one.name, "code": one.code})
+            if one.code == own
+            else Piece("language", {"name": one.name, "code": one.code, "file": one.file})
+            for one in self.others
+        )
+        return Piece("languages", {"rows": rows}) if len(rows) > 1 else NOTHING
 
     def html(self, map_id: str, *, header: str, extra: str, script: str) -> str:
         """Return the whole page.
@@ -99,7 +138,8 @@ class PageParts:
         own_style = "".join(
             compact_asset(name) for name in (*PAGE_STYLES, "schedule.css", "selection.css")
         )
-        drawn = written(page_body(self.document, Piece("live-map", {"id": map_id})))
+        live_map = Piece("live-map", {"id": map_id})
+        drawn = written(page_body(self.document, live_map, self._languages()))
         body, style = with_style_classes(drawn, own_style)
         styles = [self.leaflet.style, style]
         tiles = self.tiles

@@ -28,7 +28,7 @@ OPEN_UP_TO = 12
 """Vehicles in a plan all of whose groups are open from the start."""
 
 
-def page_body(document: Document, live_map: Tree) -> Piece:
+def page_body(document: Document, live_map: Tree, languages: Tree = NOTHING) -> Piece:
     """Return all that stands in the page's body but its scripts.
 
     Parameters
@@ -37,6 +37,8 @@ def page_body(document: Document, live_map: Tree) -> Piece:
         What is shown.
     live_map : Tree
         The element that the script draws in.
+    languages : Tree
+        Links to the page in other languages.
 
     Returns
     -------
@@ -53,6 +55,7 @@ def page_body(document: Document, live_map: Tree) -> Piece:
             "legend": legend(document),
             "credits": credit_lines(document),
             "heading": heading(document),
+            "languages": languages,
             "journey": _journey(document),
             "vehicles": _vehicles(document),
             "fatigue": (fatigue_chart(document), driving_note(document)),
