@@ -8,6 +8,6 @@ import os
 
 from hypothesis import settings
 
-settings.register_profile("same", derandomize=True)
-settings.register_profile("soak", print_blob=True)
+settings.register_profile("same", derandomize=True, deadline=None)
+settings.register_profile("soak", print_blob=True, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))

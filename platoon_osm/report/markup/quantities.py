@@ -109,7 +109,7 @@ def litres(fuel_l: float) -> str:
     str
         With its unit.
     """
-    return f"{number(fuel_l, 1 if abs(fuel_l) < 999.5 else 0)} l"
+    return f"{number(fuel_l, 1 if abs(fuel_l) < 999.5 else 0)}\u00a0l"
 
 
 def clock_span(seconds: float) -> str:
