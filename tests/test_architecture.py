@@ -17,7 +17,7 @@ WALLS = {
     "": (
         "errors", "kinds", "registry", "interrupts", "leftovers", "shown_text", "output_paths",
         "atomic_file", "csv_tables", "offers", "network", "sources", "search",
-        "costs", "plans", "driving", "planning", "study", "report", "cli",
+        "costs", "plans", "driving", "planning", "report", "study", "cli",
     ),
     "network": ("towns", "preparing", "saved"),
     "sources": ("graphs", "osm", "overpass"),
@@ -135,15 +135,15 @@ def test_a_report_needs_plans_and_costs_alone():
     assert found == set()
 
 
-def test_a_study_draws_its_own_figures():
+def test_a_study_draws_its_own_figures_and_shares_only_the_language_of_the_report():
     found = {
-        own
+        other
         for own, others in arrows().items()
         if part_of(own, ("platoon_osm",)) == "study"
         for other in others
         if part_of(other, ("platoon_osm",)) == "report"
     }
-    assert found == set()
+    assert found == {"platoon_osm.report.language.speech"}
 
 
 def test_every_part_of_the_house_stands_in_its_order():

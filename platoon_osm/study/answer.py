@@ -6,24 +6,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from ..report.language.speech import number, say
 from ..shown_text import shown
-from .comparison import PRINTED, Row, plain
+from .comparison import PRINTED, Row, labels
 from .monte_carlo import StudyResult
 from .random_network import RandomNetwork
-from .shown_tables import MIXED
-from .verdict import Whole, agreement
+from .verdict import COSTS_OF, Whole, agreement
+from .wording import figure, mixed, percent, summed
 
 __all__ = ["Answer", "Number", "answer_of"]
 
 Standing = Literal["all", "part", "none"]
 
-ASTAR = {"astar": "opens nodes again", "astar-closed-once": "explores each node once"}
+ASTAR = {"astar": "study-answer.again", "astar-closed-once": "study-answer.once"}
 COUNTED = {
-    "joined": "whoever joins counts as involved",
-    "merges and separates": "who truly merges and separates counts as involved",
-    "inside the master's route":
-        "who truly merges and separates inside the master's route counts as involved",
-}  # fmt: skip
+    "joined": "study-answer.joined",
+    "merges and separates": "study-answer.merges",
+    "inside the master's route": "study-answer.inside",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,15 +93,12 @@ def answer_of(rows: Sequence[Row], results: Sequence[StudyResult]) -> Answer:
 
 def _asked(results: Sequence[StudyResult]) -> str:
     study = results[0].study
-    network, runs = study.network, study.runs
+    network, vehicles, runs = study.network, figure(study.network.vehicles), figure(study.runs)
     if isinstance(network, RandomNetwork):
-        where = f"on {runs} random networks of {network.nodes} nodes"
-    else:
-        where = f"in {runs} draws on {shown(network.net.source.name)}"
-    return (
-        f"{network.vehicles} vehicles were planned {where}: alone, and together with the one of "
-        "the longest route, as in the paper."
-    )
+        nodes = figure(network.nodes)
+        return say("study-answer.asked-random", vehicles=vehicles, runs=runs, nodes=nodes)
+    name = shown(network.net.source.name)
+    return say("study-answer.asked-real", vehicles=vehicles, runs=runs, name=name)
 
 
 def _of_closest(ranked: Sequence[Whole], results: Sequence[StudyResult]) -> Answer:
@@ -109,14 +106,14 @@ def _of_closest(ranked: Sequence[Whole], results: Sequence[StudyResult]) -> Answ
     numbers = tuple(
         Number(
             _capital(PRINTED[name].label),
-            f"{PRINTED[name].value[0]:g} %",
-            f"{plain(ours.value, 1)} %",
-            f"{plain(ours.low, 1)} to {plain(ours.high, 1)} %",
+            percent(PRINTED[name].value[0]),
+            percent(ours.value, 1),
+            _between(ours.low, ours.high),
             ours.covers(PRINTED[name].value[0]),
         )
         for name, ours in best.numbers.items()
     )
-    good = sum(number.agrees for number in numbers)
+    good = sum(one.agrees for one in numbers)
     whole = sum(
         all(ours.covers(PRINTED[name].value[0]) for name, ours in one.numbers.items())
         for one in ranked
@@ -124,27 +121,29 @@ def _of_closest(ranked: Sequence[Whole], results: Sequence[StudyResult]) -> Answ
     standing: Standing = "part" if good else "none"
     if whole:
         standing = "all"
-        verdict = f"Agrees: {whole} of {len(ranked):,} readings give all four numbers"
+        verdict = say("study-answer.agrees", whole=number(whole), readings=number(len(ranked)))
     elif good:
-        verdict = f"Agrees in part: {good} of 4 numbers at the best, in no reading all four"
+        verdict = say("study-answer.agrees-in-part", good=good)
     else:
-        verdict = "Does not agree: the closest reading gives none of the four numbers"
+        verdict = say("study-answer.does-not-agree")
     values = {
-        name: f"{plain(ours.value, 1)} % (paper {PRINTED[name].value[0]:g} %)"
+        name: say(
+            "study-answer.value",
+            ours=percent(ours.value, 1),
+            paper=percent(PRINTED[name].value[0]),
+        )
         for name, ours in best.numbers.items()
     }
-    found = (
-        f"In the closest of {len(ranked):,} readings of what the paper leaves open, company saves "
-        f"{values['point']} at tau = 100 % and xi = 18 %, and {values['mean']} on average over "
-        f"tau and xi; {values['dijkstra']} of the members take part by Dijkstra and "
-        f"{values['astar']} by A*."
+    reading = say(
+        "study-answer.reading",
+        place=labels(results)[best.network],
+        mixing=mixed(best.mixing),
+        costs=say(COSTS_OF[best.total]),
+        terms=summed(best.terms),
+        counted=say(COUNTED[best.counted]),
+        rule=say(ASTAR[best.astar]),
     )
-    reading = (
-        f"That reading: vehicles at {best.network}; tau and xi {MIXED[best.mixing]}; "
-        f"costs of {'the members' if best.total == 'members' else 'members and master'}, "
-        f"{best.terms.replace('+', ' + ')}; {COUNTED[best.counted]}; A* {ASTAR[best.astar]}. It "
-        "was picked after the fact, so it describes the paper's numbers and does not confirm them."
-    )
+    found = say("study-answer.found", readings=number(len(ranked)), **values)
     return Answer(_asked(results), found, reading, verdict, standing, numbers)
 
 
@@ -155,22 +154,26 @@ def _of_ranges(rows: Sequence[Row], results: Sequence[StudyResult]) -> Answer:
         of = [row for row in rows if row.number == name]
         if not of or len(printed.value) > 1:
             continue
-        low, high = (plain(end(row.ours.value for row in of), 1) for end in (min, max))
+        low, high = (end(row.ours.value for row in of) for end in (min, max))
         good = any(row.agrees() for row in of)
         numbers.append(
             Number(
-                _capital(printed.label), f"{printed.value[0]:g} %", f"{low} to {high} %", "", good
+                _capital(printed.label), percent(printed.value[0]), _between(low, high), "", good
             )
         )
-    reached = sum(number.agrees for number in numbers)
+    reached = sum(one.agrees for one in numbers)
     return Answer(
         _asked(results),
-        "Below are the least and the greatest value over all readings.",
-        "A reading is judged as a whole only where Dijkstra and A* both ran.",
-        f"{reached} of {len(numbers)} printed numbers lie in the interval of some reading",
+        say("study-answer.ranges"),
+        say("study-answer.ranges-reading"),
+        say("study-answer.reached", reached=reached, all=len(numbers)),
         "all" if reached == len(numbers) else "part" if reached else "none",
         tuple(numbers),
     )
+
+
+def _between(low: float, high: float) -> str:
+    return say("study-answer.between", low=figure(low, 1), high=percent(high, 1))
 
 
 def _capital(text: str) -> str:

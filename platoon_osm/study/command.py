@@ -184,7 +184,7 @@ def _written(options: StudyOptions) -> tuple[list[Output], list[Path]]:
 
 
 def write_results(
-    results: Sequence[StudyResult], output: Path, command: str
+    results: Sequence[StudyResult], output: Path, command: str, language: str | None = None
 ) -> tuple[list[Path], str, str]:
     """Write figures, tables and report.
 
@@ -196,90 +196,56 @@ def write_results(
         Folder that exists.
     command : str
         What to type for the same numbers.
+    language : str or None
+        Of report and figures, such as "de"; None for that which is spoken already. Tables of data
+        are in English.
 
     Returns
     -------
     written : list of Path
         Files, in the order in which they were written.
     paragraph : str
-        The verdict.
+        The verdict, in English.
     table : str
-        The comparison as Markdown.
+        The comparison as Markdown, in English.
     """
-    from . import figures, tables
-    from .answer import answer_of
+    from ..report.language.speech import speaking
+    from . import tables
     from .comparison import compare, network_label
     from .example import example_of
-    from .page import Picture, StudyPage, write_page
-    from .parameters import parameters_in_words
-    from .shown_tables import CALLED, MIXED, markdown, shown_tables
+    from .shown_tables import markdown, shown_tables
     from .verdict import verdict
+    from .written_page import draw_figures, write_report
 
     rows = compare(results)
-    first = results[0]
-    study = first.study
-    examples = [(network_label(r), example_of(r)) for r in _to_draw(results)]
-    path = output / "figure-1-network"
-    tables.write_network(path.with_suffix(".csv"), examples)
-    drawn = [(path, figures.save_figure(figures.network_figure(examples), path),
-              "Networks and the longest platoon",
-              "Roads grey, the longest platoon red, other routes coloured, spawn points as dots, "
-              f"with time counted in full (tau = 100 %) and xi = 18 %.{_credit(results)}",
-              f"{len(examples)} road networks, each with the routes of its vehicles from nearby "
-              "starts and the longest platoon among them.")]  # fmt: skip
-    path = output / "figure-2-costs"
-    tables.write_costs(path.with_suffix(".csv"), results)
-    drawn.append((path, figures.save_figure(figures.cost_figure(first), path),
-                  "What a vehicle costs alone and together",
-                  f"Mean cost over the weights tau and xi by {CALLED[study.methods[0]]}; terms "
-                  f"{study.terms[0].replace('+', ' + ')}, vehicles at {network_label(first)}. "
-                  "The ring marks tau = 100 %, xi = 18 %.",
-                  "Surfaces over tau and xi: the cost alone is level, the joint cost lies below "
-                  "it; Table 4 has the least and the greatest values."))  # fmt: skip
-    for number, method in ((3, "dijkstra"), (4, "astar"), (5, "astar-closed-once")):
-        if method in study.methods:
-            path = output / f"figure-{number}-involvement-{method}"
-            tables.write_involvement(path.with_suffix(".csv"), results, method)
-            drawn.append((
-                path, figures.save_figure(figures.involvement_figure(results, method), path),
-                f"Members that join a platoon, {CALLED[method]}",
-                f"Rates tau and xi {MIXED[study.mixings[0]]}; terms "
-                f"{study.terms[0].replace('+', ' + ')}. A column for each placing of the vehicles.",
-                f"Shares of members over tau and xi, for {len(results)} placings; Table 3 has "
-                "their means.",
-            ))  # fmt: skip
+    drawn = [(result, example_of(result)) for result in _to_draw(results)]
+    with speaking(language):
+        pictures = draw_figures(results, drawn, output)
+    written = []
+    for picture in pictures:
+        data = picture.file.with_suffix(".csv")
+        if picture.shows == "network":
+            tables.write_network(data, [(network_label(one), example) for one, example in drawn])
+        elif picture.shows == "costs":
+            tables.write_costs(data, results)
+        else:
+            tables.write_involvement(data, results, picture.shows)
+        written += [data, picture.file.with_suffix(".png"), picture.file]
     tables.write_comparison(output / "comparison.csv", rows)
     tables.write_parquet(output / "results.parquet", results)
-    shown, paragraph = shown_tables(results, rows), verdict(rows, results)
-    pictures = [Picture(title, caption, alt, files[1]) for _, files, title, caption, alt in drawn]
-    plain = {"seed": first.seed, "studies": [r.study.to_dict() for r in results]}
-    write_page(output / "report.html", StudyPage(
-        answer_of(rows, results), paragraph, pictures, shown, parameters_in_words(results), plain,
-        command,
-    ))  # fmt: skip
-    written = [file for path, files, *_ in drawn for file in (path.with_suffix(".csv"), *files)]
+    with speaking(language):
+        write_report(output / "report.html", results, rows, pictures, command)
     written += [output / name for name in ("comparison.csv", "results.parquet", "report.html")]
-    how = f"Measured by `{command}`. Brackets hold 95 % bootstrap intervals over networks."
-    return written, paragraph, markdown(shown, paragraph, how)
+    with speaking("en"):
+        paragraph = verdict(rows, results)
+        how = f"Measured by `{command}`. Brackets hold 95 % bootstrap intervals over networks."
+        return written, paragraph, markdown(shown_tables(results, rows), paragraph, how)
 
 
 def _to_draw(results: Sequence[StudyResult]) -> list[StudyResult]:
     """Choose the first placing, and one with a wide circle to look at beside it."""
     wide = [r for r in results[1:] if r.study.network.spawn_diameter_m >= 4e5]
     return [results[0], *wide[:1]]
-
-
-def _credit(results: Sequence[StudyResult]) -> str:
-    """Return whose map the trips were drawn on; random networks are nobody's."""
-    from .road_trips import RoadTrips
-
-    sources = dict.fromkeys(
-        f"{net.source.attribution}, {net.source.licence}"
-        for r in results
-        if isinstance(r.study.network, RoadTrips)
-        and (net := r.study.network.net).source.attribution
-    )
-    return f" Roads: {'; '.join(sources)}." if sources else ""
 
 
 def _command(options: StudyOptions) -> str:

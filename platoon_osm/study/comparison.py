@@ -11,12 +11,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..planning.routers import Method
+from ..report.language.speech import say, speaking
 from ..shown_text import shown
 from .measures import INVOLVEMENTS, TOTALS, Estimate, Measures
 from .monte_carlo import StudyResult
 from .random_network import RandomNetwork
+from .wording import kilometres
 
-__all__ = ["PRINTED", "Printed", "Row", "compare", "network_label", "plain"]
+__all__ = ["PRINTED", "Printed", "Row", "compare", "labels", "network_label", "placing"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,27 +27,32 @@ class Printed:
 
     Attributes
     ----------
-    label : str
-        What it is.
+    key : str
+        Of the catalogue: what it is.
     value : tuple of float
         In `unit`; a range for the axis of the cost surfaces.
     unit : {"%", "km"}
         Of `value`.
     """
 
-    label: str
+    key: str
     value: tuple[float, ...]
     unit: str
 
+    @property
+    def label(self) -> str:
+        """What it is, in the language that is spoken."""
+        return say(self.key)
+
 
 PRINTED: Mapping[str, Printed] = {
-    "point": Printed("saving at tau = 100 %, xi = 18 %", (8.0,), "%"),
-    "mean": Printed("mean saving", (14.0,), "%"),
-    "dijkstra": Printed("mean involvement, Dijkstra", (33.0,), "%"),
-    "astar": Printed("mean involvement, A*", (39.0,), "%"),
-    "alone": Printed("cost of a vehicle alone", (1150.0, 1400.0), "km"),
-    "joint low": Printed("joint cost, least over the grid", (1150.0, 1400.0), "km"),
-    "joint high": Printed("joint cost, greatest over the grid", (1150.0, 1400.0), "km"),
+    "point": Printed("study.point", (8.0,), "%"),
+    "mean": Printed("study.mean", (14.0,), "%"),
+    "dijkstra": Printed("study.involved-dijkstra", (33.0,), "%"),
+    "astar": Printed("study.involved-astar", (39.0,), "%"),
+    "alone": Printed("study.cost-alone", (1150.0, 1400.0), "km"),
+    "joint low": Printed("study.cost-least", (1150.0, 1400.0), "km"),
+    "joint high": Printed("study.cost-greatest", (1150.0, 1400.0), "km"),
 }
 
 
@@ -94,7 +101,7 @@ class Row:
 
 
 def network_label(result: StudyResult) -> str:
-    """Return how a study's vehicles are placed, in a few words.
+    """Return how a study's vehicles are placed, in English: as tables of data name it.
 
     Parameters
     ----------
@@ -106,12 +113,49 @@ def network_label(result: StudyResult) -> str:
     str
         Such as "200 km, points in the circle".
     """
+    with speaking("en"):
+        return placing(result)
+
+
+def placing(result: StudyResult, *, short: bool = False) -> str:
+    """Return how a study's vehicles are placed, in the language that is spoken.
+
+    Parameters
+    ----------
+    result : StudyResult
+        Of any study.
+    short : bool
+        Whether it stands in lines above each other, over a narrow panel.
+
+    Returns
+    -------
+    str
+        Such as "200 km, points in the circle".
+    """
     network = result.study.network
-    km = f"{network.spawn_diameter_m / 1000:g} km"
-    if not isinstance(network, RandomNetwork):
-        drawn = "by flows" if network.flows else "by distance"
-        return f"{shown(network.net.source.name)}, {km}, {drawn}"
-    return f"{km}, {'points' if network.spawning == 'points' else 'nodes'} in the circle"
+    km = f"{kilometres(network.spawn_diameter_m)} km"
+    if isinstance(network, RandomNetwork):
+        start = say("study.points" if network.spawning == "points" else "study.nodes")
+        return f"{km}\n{start}" if short else say("study.circle", km=km, start=start)
+    drawn = say("study.by-flows" if network.flows else "study.by-distance")
+    label = f"{shown(network.net.source.name)}, {km}, {drawn}"
+    return label.replace(", ", "\n") if short else label
+
+
+def labels(results: Sequence[StudyResult]) -> dict[str, str]:
+    """Return what to call the placings in the language that is spoken.
+
+    Parameters
+    ----------
+    results : sequence of StudyResult
+        One for each placing of the vehicles.
+
+    Returns
+    -------
+    dict of str to str
+        By `Row.network`.
+    """
+    return {network_label(result): placing(result) for result in results}
 
 
 def compare(results: Sequence[StudyResult]) -> list[Row]:
@@ -158,21 +202,3 @@ def compare(results: Sequence[StudyResult]) -> list[Row]:
 
 def _times(estimate: Estimate, factor: float) -> Estimate:
     return Estimate(estimate.value * factor, estimate.low * factor, estimate.high * factor)
-
-
-def plain(value: float, digits: int) -> str:
-    """Return a number with so many digits, never "-0.0".
-
-    Parameters
-    ----------
-    value : float
-        Any.
-    digits : int
-        After the point.
-
-    Returns
-    -------
-    str
-        The text.
-    """
-    return f"{round(value, digits) + 0.0:.{digits}f}"

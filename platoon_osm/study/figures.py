@@ -12,10 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..atomic_file import whole_file
-from .comparison import network_label
+from ..report.language.speech import number, say
+from .comparison import placing
 from .example import Example
 from .measures import Measures
 from .monte_carlo import StudyResult
+from .wording import figure as figure_of
+from .wording import percent
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,6 +31,7 @@ BLUE, RED, BLACK = "#0072B2", "#D55E00", "#000000"
 MEMBERS = ("#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A5195", "#8C6D1F", "#004D40", "#999999")
 STYLES = ("-", (0, (5, 1.5)))
 SURFACE_MAP = "cividis"
+MIXING = {"printed": "study-figures.printed", "gain": "study-figures.gain"}
 
 WIDTH_IN = 7.2
 """Both columns of a two-column page."""
@@ -77,12 +81,31 @@ def save_figure(figure: Figure, stem: Path) -> tuple[Path, Path]:
         What was written.
     """
     png, svg = stem.with_suffix(".png"), stem.with_suffix(".svg")
+    _speak(figure)
     with _drawing():
         with whole_file(png) as draft:
             figure.savefig(draft, dpi=300, metadata={"Software": None})
         with whole_file(svg) as draft:
             figure.savefig(draft, metadata={"Date": None, "Creator": "platoon_osm"})
     return png, svg
+
+
+def _speak(figure: Figure) -> None:
+    """Give the numbers of all axes the decimal sign of the language."""
+    from matplotlib.ticker import ScalarFormatter
+
+    sign = number(0, 1)[1]
+    if sign == ".":
+        return
+
+    class Ticks(ScalarFormatter):
+        def __call__(self, x: float, pos: int | None = None) -> str:
+            return str(super().__call__(x, pos)).replace(".", sign)
+
+    for panel in figure.axes:
+        for axis in (panel.xaxis, panel.yaxis, getattr(panel, "zaxis", None)):
+            if axis is not None and type(axis.get_major_formatter()) is ScalarFormatter:
+                axis.set_major_formatter(Ticks())
 
 
 def network_figure(examples: Sequence[tuple[str, Example]]) -> Figure:
@@ -107,7 +130,9 @@ def network_figure(examples: Sequence[tuple[str, Example]]) -> Figure:
             if example.longest >= 0:
                 together = example.routes[example.longest][1]
                 km = float(example.draw.net.length_m[together].sum()) / 1000
-            panel.set_title(f"{label}: longest platoon {km:.0f} km" if km else label)
+            panel.set_title(
+                say("study-figures.longest-km", label=label, km=figure_of(km, 0)) if km else label
+            )
         handles, labels = panels[0].get_legend_handles_labels()
         figure.legend(handles, labels, loc="outside lower center", ncols=6, frameon=False)
     return figure
@@ -126,30 +151,42 @@ def _network_panel(panel: Axes, example: Example) -> None:
 
     roads = np.flatnonzero(~draw.access)
     dense = len(roads) > 5 * draw.net.n
-    lines(roads, color="0.82" if dense else "0.6", linewidth=0.5, zorder=1, label="road")
+    lines(
+        roads,
+        color="0.82" if dense else "0.6",
+        linewidth=0.5,
+        zorder=1,
+        label=say("study-figures.road"),
+    )
     junctions = np.unique(np.concatenate([net.tail[roads], net.head[roads]]))
     # On a real network junctions are many, and would hide the routes.
     few = len(junctions) < 300
     panel.scatter(
         xy[junctions, 0], xy[junctions, 1], s=7 if few else 0.8, color=BLUE, linewidth=0,
-        zorder=5 if few else 1.5, label="junction",
+        zorder=5 if few else 1.5, label=say("study-figures.junction"),
     )  # fmt: skip
     others = [v for v in range(len(example.routes)) if v != example.master]
-    lines(example.routes[example.master][0], color=BLACK, linewidth=3.2, zorder=2, label="master")
+    lines(
+        example.routes[example.master][0],
+        color=BLACK,
+        linewidth=3.2,
+        zorder=2,
+        label=say("study-figures.master"),
+    )
     for k, vehicle in enumerate(others):
         whole = np.concatenate(example.routes[vehicle])
         lines(
             whole, color=MEMBERS[k % len(MEMBERS)], linewidth=1.1, zorder=4,
             linestyle=STYLES[k // len(MEMBERS) % len(STYLES)],
-            label="member routes" if k == 0 else None,
+            label=say("study-figures.member-routes") if k == 0 else None,
         )  # fmt: skip
     if example.longest >= 0:
         together = example.routes[example.longest][1]
         lines(together, color=RED, linewidth=2.4, zorder=3)
-        lines(together, color=RED, linewidth=1.6, zorder=6, label="longest platoon")
+        lines(together, color=RED, linewidth=1.6, zorder=6, label=say("study-figures.longest"))
     panel.scatter(
         xy[draw.origins, 0], xy[draw.origins, 1], s=22, facecolor="white", edgecolor=RED,
-        linewidth=1.1, zorder=8, label="spawn point",
+        linewidth=1.1, zorder=8, label=say("study-figures.spawn-point"),
     )  # fmt: skip
     if net.source.attribution:
         panel.text(
@@ -205,20 +242,27 @@ def cost_figure(result: StudyResult, method: int = 0) -> Figure:
             )  # fmt: skip
             # Surfaces have no legend of their own in three dimensions.
             solid.legend(
-                handles=[Patch(color="0.8", label="alone"), Patch(color=BLUE, label="joint")],
+                handles=[
+                    Patch(color="0.8", label=say("study-figures.alone")),
+                    Patch(color=BLUE, label=say("study-figures.joint")),
+                ],
                 loc="upper right", bbox_to_anchor=(1.08, 0.93), frameon=False,
             )  # fmt: skip
             solid.set_xlabel("τ [%]", labelpad=-4)
             solid.set_ylabel("ξ [%]", labelpad=-4)
-            solid.set_zlabel("mean cost of a vehicle [km]", labelpad=2)
+            solid.set_zlabel(say("study-figures.axis-cost"), labelpad=2)
             solid.set_zlim(low * 0.98, high * 1.02)
             solid.tick_params(pad=-1)
             solid.view_init(elev=27, azim=-128)
             solid.set_box_aspect((1, 1, 0.85), zoom=0.9)
-            solid.set_title(f"({'ac'[x]}) joint and alone, mixing “{mixing}”", y=1.0)
+            solid.set_title(
+                say("study-figures.surfaces", letter="ac"[x], mixing=say(MIXING[mixing])), y=1.0
+            )
             flat = figure.add_subplot(rows, 2, 2 * x + 2)
-            _heat(figure, flat, tau, xi, 100 * (1 - joint / alone), "saving [%]")
-            flat.set_title(f"({'bd'[x]}) saving, mixing “{mixing}”")
+            _heat(
+                figure, flat, tau, xi, 100 * (1 - joint / alone), say("study-figures.axis-saving")
+            )
+            flat.set_title(say("study-figures.saving", letter="bd"[x], mixing=say(MIXING[mixing])))
             for one_tau, one_xi in study.points:
                 flat.plot(100 * one_tau, 100 * one_xi, "o", mfc="none", mec=RED, mew=1.2,
                           clip_on=False, zorder=5)  # fmt: skip
@@ -246,8 +290,8 @@ def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int 
         To be saved by `save_figure`.
     """
     shown: tuple[tuple[str, Any], ...] = (
-        ("joined at all", "joined"),
-        ("truly merge and separate", "merges and separates"),
+        (say("study-figures.joined"), "joined"),
+        (say("study-figures.merge"), "merges and separates"),
     )
     with _drawing():
         figure = _new_figure(1.75 * len(shown) + 0.35, layout="constrained")
@@ -272,7 +316,9 @@ def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int 
                         tau, xi, share.T, colors="white", linewidths=0.5,
                         levels=np.arange(10, 100, 10),
                     )  # fmt: skip
-                panel.set_title(f"mean {share.mean():.0f} %", fontsize=7, pad=3)
+                panel.set_title(
+                    say("study-figures.mean", share=percent(share.mean(), 0)), fontsize=7, pad=3
+                )
                 panel.set_xticks([0, 50, 100])
                 panel.set_yticks([0, 50, 100])
                 if column == 0:
@@ -280,19 +326,15 @@ def involvement_figure(results: Sequence[StudyResult], method: str, mixing: int 
                 if row == len(shown) - 1:
                     panel.set_xlabel("τ [%]")
             panels[0, column].set_title(
-                f"{_short(network_label(result))}\n{panels[0, column].get_title()}",
+                f"{placing(result, short=True)}\n{panels[0, column].get_title()}",
                 fontsize=7,
                 pad=3,
             )
         assert picture is not None
         figure.colorbar(
-            picture, ax=panels, label="members involved [%], lines every 10 %", aspect=30, pad=0.01
+            picture, ax=panels, label=say("study-figures.axis-involved"), aspect=30, pad=0.01
         )
     return figure
-
-
-def _short(label: str) -> str:
-    return label.replace(" in the circle", "").replace(", ", "\n")
 
 
 def _heat(
@@ -304,7 +346,7 @@ def _heat(
     )
     if len(tau) > 1 and len(xi) > 1 and np.ptp(values) > 0:
         lines = panel.contour(tau, xi, values.T, colors="white", linewidths=0.7, levels=6)
-        panel.clabel(lines, fmt="%g %%", fontsize=6.5)
+        panel.clabel(lines, fmt=percent, fontsize=6.5)
     bar = figure.colorbar(picture, ax=panel, label=label, aspect=25, pad=0.03)
     bar.outline.set_linewidth(0.4)
     panel.set_xlabel("τ [%]")

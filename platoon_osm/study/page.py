@@ -6,7 +6,6 @@ import base64
 import hashlib
 import html
 import json
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -15,6 +14,7 @@ from typing import Any
 
 from .._version import __version__
 from ..atomic_file import whole_file
+from ..report.language.speech import say, spoken
 from ..shown_text import well_formed
 from .answer import Answer
 from .page_style import style
@@ -23,26 +23,18 @@ from .shown_tables import ShownTable
 __all__ = ["Picture", "StudyPage", "write_page"]
 
 READINGS = (
-    ("Vehicles",
-     "How wide the circle is in which all start, and whether they start at any point in it or at "
-     "nodes of the network."),
-    ("Tau and xi",
-     "Weights of time and of fuel in a platoon, 0 to 100 %. As printed, xi = 18 % counts 18 % of "
-     "the fuel; as gains, it saves 18 % of it."),
-    ("Terms", "What a road costs: distance, time and fuel, or some of them."),
-    ("A*, nodes opened again",
-     "The paper's condition to the letter: a node that was explored comes back when a cheaper way "
-     "to it is found."),
-    ("A*, each node once",
-     "The shorter form that is often programmed: such ways are lost, and routes are dearer. Both "
-     "inflate the heuristic by fatigue, so neither finds the best route for sure."),
-    ("Members, with master",
-     "Costs of those who join alone, or of the vehicle they join too."),
-    ("Joined; merges and separates; inside the master's route",
-     "Who takes part: whoever joins; who also drives roads alone before and after; who does so "
-     "while the master is under way before and after too."),
-    ("Numbers in brackets", "95 % bootstrap intervals over networks."),
-)  # fmt: skip
+    ("study-readings.vehicles", "study-readings.vehicles-means"),
+    ("study-readings.rates", "study-readings.rates-means"),
+    ("study-readings.terms", "study-readings.terms-means"),
+    ("study.astar", "study-readings.again-means"),
+    ("study.astar-once", "study-readings.once-means"),
+    ("study-readings.members", "study-readings.members-means"),
+    ("study-readings.counted", "study-readings.counted-means"),
+    ("study-readings.brackets", "study-readings.brackets-means"),
+)
+"""What is told of each choice: its name and its meaning."""
+
+PAPER = "Adas et al., Joint Travel Route Optimization Framework for Platooning, IFAC 2025"
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +51,15 @@ class Picture:
         What it shows, for who cannot see it.
     file : Path
         SVG.
+    shows : str
+        "network", "costs", or the method by which members take part.
     """
 
     title: str
     caption: str
     alt: str
     file: Path
+    shows: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +70,7 @@ class StudyPage:
     ----------
     answer : Answer
         What it comes to.
-    paragraph : str
+    sentences : sequence of str
         The same in full.
     pictures : sequence of Picture
         The figures.
@@ -90,7 +85,7 @@ class StudyPage:
     """
 
     answer: Answer
-    paragraph: str
+    sentences: Sequence[str]
     pictures: Sequence[Picture]
     tables: Sequence[ShownTable]
     parameters: Sequence[tuple[str, str]]
@@ -99,7 +94,7 @@ class StudyPage:
 
 
 def write_page(path: Path, page: StudyPage) -> None:
-    """Write the report.
+    """Write the report, in the language that is spoken and that its texts were made in.
 
     Parameters
     ----------
@@ -120,23 +115,21 @@ def write_page(path: Path, page: StudyPage) -> None:
         "form-action 'none'"
     )
     lines = [
-        "<!doctype html>", '<html lang="en" dir="ltr">', "<head>", '<meta charset="utf-8">',
+        "<!doctype html>", f'<html lang="{spoken().code}" dir="ltr">',
+        "<head>", '<meta charset="utf-8">',
         f'<meta http-equiv="Content-Security-Policy" content="{html.escape(policy)}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         '<meta name="referrer" content="no-referrer">',
-        "<title>Platoon study</title>", f"<style>{css}</style>", "</head>", "<body>",
-        '<a class="skip" href="#answer">Skip to the answer</a>',
-        "<header>", "<h1>The paper’s experiment, and ours beside it</h1>",
-        '<p class="sub">Adas et al., Joint Travel Route Optimization Framework for Platooning, '
-        "IFAC 2025</p>",
-        '<nav aria-label="Parts of this page"><ul>',
-        *(f'<li><a href="#{to}">{name}</a></li>' for to, name in PARTS),
+        f"<title>{_said('study.title')}</title>", f"<style>{css}</style>", "</head>", "<body>",
+        f'<a class="skip" href="#answer">{_said("study.skip")}</a>',
+        "<header>", f"<h1>{_said('study.heading')}</h1>",
+        f'<p class="sub" lang="en">{PAPER}</p>',
+        f'<nav aria-label="{_said("study.parts")}"><ul>',
+        *(f'<li><a href="#{to}">{_said(name)}</a></li>' for to, name in PARTS),
         "</ul></nav>", "</header>", "<main>",
-        *_answer(page.answer, page.paragraph), *_pictures(page.pictures), *_tables(page.tables),
+        *_answer(page.answer, page.sentences), *_pictures(page.pictures), *_tables(page.tables),
         *_readings(), *_parameters(page.parameters, page.plain), "</main>",
-        f"<footer><p>Made by platoon_osm {html.escape(__version__)} with "
-        f"<code>{html.escape(page.command)}</code>; the same command gives the same numbers.</p>"
-        "</footer>",
+        f"<footer><p>{_made(page.command)}</p></footer>",
         "</body>", "</html>",
     ]  # fmt: skip
     with whole_file(path) as draft:
@@ -144,43 +137,61 @@ def write_page(path: Path, page: StudyPage) -> None:
 
 
 PARTS = (
-    ("answer", "Answer"), ("figures", "Figures"), ("comparison", "Tables"),
-    ("readings", "How to read them"), ("parameters", "Parameters"),
+    ("answer", "study.part-answer"), ("figures", "study.part-figures"),
+    ("comparison", "study.part-tables"), ("readings", "study.part-readings"),
+    ("parameters", "study.part-parameters"),
 )  # fmt: skip
 
 
+def _said(key: str, **fields: object) -> str:
+    """Return a text of the catalogue as HTML."""
+    return html.escape(say(key, **fields))
+
+
+def _made(command: str) -> str:
+    """Return who made the page with what, as HTML; the command is set apart as code."""
+    before, after = say("study.made", version=__version__, command="\0").split("\0")
+    code = f'<code translate="no">{html.escape(command)}</code>'
+    return f"{html.escape(before)}{code}{html.escape(after)}"
+
+
 def _section(name: str, title: str, inside: Iterator[str]) -> Iterator[str]:
-    yield f'<section id="{name}" aria-labelledby="h-{name}"><h2 id="h-{name}">{title}</h2>'
+    yield f'<section id="{name}" aria-labelledby="h-{name}"><h2 id="h-{name}">{_said(title)}</h2>'
     yield from inside
     yield "</section>"
 
 
-def _answer(answer: Answer, paragraph: str) -> Iterator[str]:
+COLUMNS = (
+    "study-answer.paper", "study-answer.ours", "study-answer.interval", "study-answer.agree",
+)  # fmt: skip
+
+
+def _answer(answer: Answer, sentences: Sequence[str]) -> Iterator[str]:
     text = html.escape
 
     def inside() -> Iterator[str]:
         yield f'<p class="verdict agrees-{answer.standing}">{text(answer.verdict)}</p>'
         yield f"<p>{_unbroken(answer.asked)} {_unbroken(answer.found)}</p>"
-        yield _box("t-answer", "The paper's numbers and ours", short=True)
+        heads = "".join(f'<th scope="col">{_said(key)}</th>' for key in COLUMNS)
+        yield _box("t-answer", say("study-answer.table"), short=True)
         yield (
-            '<table><thead><tr><th scope="col" class="label">Number</th><th scope="col">Paper</th>'
-            '<th scope="col">Ours</th><th scope="col">95 % interval</th><th scope="col">Agrees</th>'
-            "</tr></thead><tbody>"
+            f'<table><thead><tr><th scope="col" class="label">{_said("study-answer.number")}</th>'
+            f"{heads}</tr></thead><tbody>"
         )
         for number in answer.numbers:
-            mark = ("yes", "yes") if number.agrees else ("no", "no")
+            mark = ("yes", "study-answer.yes") if number.agrees else ("no", "study-answer.no")
             yield (
                 f'<tr><th scope="row" class="label">{text(number.label)}</th>'
                 f"<td>{text(number.paper)}</td><td>{text(number.ours)}</td>"
                 f"<td>{text(number.interval) or '–'}</td>"
-                f'<td><span class="mark {mark[0]}">{mark[1]}</span></td></tr>'
+                f'<td><span class="mark {mark[0]}">{_said(mark[1])}</span></td></tr>'
             )
         yield f'</tbody></table></div><p class="caption">{_unbroken(answer.reading)}</p>'
-        yield "<h3>In full</h3><ul>"
-        yield from (f"<li>{_unbroken(sentence)}</li>" for sentence in _sentences(paragraph))
+        yield f"<h3>{_said('study-answer.in-full')}</h3><ul>"
+        yield from (f"<li>{_unbroken(sentence)}</li>" for sentence in sentences)
         yield "</ul>"
 
-    return _section("answer", "The answer", inside())
+    return _section("answer", "study.answer", inside())
 
 
 def _unbroken(text: str) -> str:
@@ -188,28 +199,23 @@ def _unbroken(text: str) -> str:
     return html.escape(text).replace(" %", "&nbsp;%")
 
 
-def _sentences(paragraph: str) -> list[str]:
-    """Return the sentences of a paragraph; one ends at a stop before a capital letter."""
-    return re.split(r"(?<=\.) (?=[A-Z])", paragraph)
-
-
 def _pictures(pictures: Sequence[Picture]) -> Iterator[str]:
     def inside() -> Iterator[str]:
         for number, picture in enumerate(pictures, 1):
             data = base64.b64encode(picture.file.read_bytes()).decode()
-            title = html.escape(f"Figure {number}. {picture.title}")
+            title = _said("study.figure", number=number, title=picture.title)
             yield f'<figure aria-labelledby="f-{number}"><h3 id="f-{number}">{title}</h3>'
             yield f'<div class="sheet" tabindex="0" role="region" aria-label="{title}">'
             yield f'<img src="data:image/svg+xml;base64,{data}" alt="{html.escape(picture.alt)}">'
             yield f"</div><figcaption>{html.escape(picture.caption)}</figcaption></figure>"
 
-    return _section("figures", "Figures", inside())
+    return _section("figures", "study.part-figures", inside())
 
 
 def _tables(tables: Sequence[ShownTable]) -> Iterator[str]:
     def inside() -> Iterator[str]:
         for number, table in enumerate(tables, 1):
-            title = html.escape(f"Table {number}. {table.title}")
+            title = _said("study.table", number=number, title=table.title)
             yield f'<div class="entry"><h3 id="t-{number}">{title}</h3>'
             yield f'<p class="caption" id="c-{number}">{html.escape(table.caption)}</p>'
             yield _box(f"t-{number}")
@@ -225,7 +231,7 @@ def _tables(tables: Sequence[ShownTable]) -> Iterator[str]:
                 yield f"<tr>{''.join(cells)}</tr>"
             yield "</tbody></table></div></div>"
 
-    return _section("comparison", "Every printed number beside ours", inside())
+    return _section("comparison", "study.tables", inside())
 
 
 def _box(named_by: str, name: str = "", *, short: bool = False) -> str:
@@ -281,28 +287,30 @@ def _cell(cell: str, is_label: bool, begins: bool) -> str:
 
 def _readings() -> Iterator[str]:
     def inside() -> Iterator[str]:
-        yield "<p>A reading fixes what the paper leaves open. None was tuned, and none is left out."
-        yield "</p><dl>"
+        yield f"<p>{_said('study-readings.what')}</p><dl>"
         for term, meaning in READINGS:
-            yield f"<dt>{html.escape(term)}</dt><dd>{html.escape(meaning)}</dd>"
+            yield f"<dt>{_said(term)}</dt><dd>{_said(meaning)}</dd>"
         yield "</dl>"
 
-    return _section("readings", "How to read the tables", inside())
+    return _section("readings", "study.readings", inside())
 
 
 def _parameters(words: Sequence[tuple[str, str]], plain: dict[str, Any]) -> Iterator[str]:
     shown = json.dumps(plain, indent=1, sort_keys=True, ensure_ascii=False)
 
     def inside() -> Iterator[str]:
-        yield _box("", "What was varied and what was kept", short=True)
-        yield '<table><thead><tr><th scope="col" class="label">What</th>'
-        yield '<th scope="col" class="label">Value</th></tr></thead><tbody>'
+        yield _box("", say("study-parameters.table"), short=True)
+        heads = (_said("study-parameters.what"), _said("study-parameters.value"))
+        yield "<table><thead><tr>"
+        yield from (f'<th scope="col" class="label">{head}</th>' for head in heads)
+        yield "</tr></thead><tbody>"
         for label, value in words:
             yield f'<tr><th scope="row" class="label">{html.escape(label)}</th>'
             yield f'<td class="text">{html.escape(value)}</td></tr>'
         yield "</tbody></table></div>"
-        yield "<details><summary>All parameters as JSON</summary>"
-        yield '<pre tabindex="0" role="region" aria-label="All parameters as JSON">'
+        name = _said("study-parameters.json")
+        yield f"<details><summary>{name}</summary>"
+        yield f'<pre tabindex="0" role="region" translate="no" aria-label="{name}">'
         yield f"{html.escape(shown)}</pre></details>"
 
-    return _section("parameters", "Parameters", inside())
+    return _section("parameters", "study.part-parameters", inside())

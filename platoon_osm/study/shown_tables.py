@@ -6,29 +6,22 @@ both readings of its closed set among them.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..planning.routers import Method
-from .comparison import PRINTED, Row, network_label, plain
+from ..report.language.speech import say
+from .comparison import PRINTED, Row, labels, placing
 from .measures import COVERED, INVOLVEMENTS, RESAMPLES, TOTALS, Estimate
 from .monte_carlo import StudyResult
+from .wording import called, figure, joined, mixed, percent, summed, whose
 
-__all__ = ["CALLED", "MIXED", "ShownTable", "markdown", "shown_tables"]
+__all__ = ["ShownTable", "markdown", "shown_tables"]
 
 Floats = NDArray[np.float64]
-
-READING = ("", "vehicles"), ("", "mixing")
-NAMED = {"members": "members", "system": "with master"}
-CALLED = {
-    "dijkstra": "Dijkstra",
-    "astar": "A*, nodes opened again",
-    "astar-closed-once": "A*, each node once",
-}
-MIXED = {"printed": "as printed", "gain": "as gains"}
 
 Head = tuple[str, str]
 
@@ -83,67 +76,79 @@ def shown_tables(results: Sequence[StudyResult], rows: Sequence[Row]) -> list[Sh
           for r in rows if r.terms == first}  # fmt: skip
     readings = list(dict.fromkeys((r.network, r.mixing) for r in rows))
     methods = list(dict.fromkeys(r.method for r in rows))
+    placed = labels(results)
+    reading = ("", say("study-tables.vehicles")), ("", say("study-tables.mixing"))
 
     def table(
         title: str, caption: str, columns: Sequence[tuple[Head, tuple[str, str, str]]]
     ) -> ShownTable:
         lines = tuple(
-            (network, MIXED[mixing], *(
+            (placed[network], mixed(mixing), *(
                 at[number, network, mixing, counted, method]  # type: ignore[index]
                 for _, (number, counted, method) in columns
             ))
             for network, mixing in readings
         )  # fmt: skip
-        return ShownTable(title, caption, (*READING, *(name for name, _ in columns)), lines, 2)
+        return ShownTable(title, caption, (*reading, *(name for name, _ in columns)), lines, 2)
 
     tables = [
         table(
-            f"{title} [%]",
-            f"The paper prints {PRINTED[number].value[0]:g} %, for Dijkstra.",
+            say(title),
+            say("study-tables.paper-dijkstra", share=percent(PRINTED[number].value[0])),
             [
-                ((CALLED[method], NAMED[total]), (number, total, method))
+                ((called(method), whose(total)), (number, total, method))
                 for method in methods
                 for total in TOTALS
             ],
         )
         for number, title in SAVINGS
     ]
-    printed = " and ".join(
-        f"{PRINTED[number].value[0]:g} % by {called}"
-        for number, called in (("dijkstra", "Dijkstra"), ("astar", "A*"))
+    printed = joined("study-tables.and", (
+        say(by, share=percent(PRINTED[number].value[0]))
+        for number, by in BY.items()
         if any(_counts(method) == number for method in methods)
-    )
+    ))  # fmt: skip
     tables += [
         table(
-            "Members involved, mean over the grid [%]",
-            f"The paper prints {printed}, and does not say who counts.",
+            say("study-tables.involved"),
+            say("study-tables.paper-involved", shares=printed),
             [
-                ((CALLED[method], name), (_counts(method), name, method))
+                ((called(method), whose(name)), (_counts(method), name, method))
                 for method in methods
                 for name in INVOLVEMENTS
             ],
         ),
         table(
-            f"Mean cost of a vehicle, {CALLED[methods[0]]} [km]",
-            "The paper's surfaces span about 1150 to 1400 km. Least and greatest are those over "
-            "the grid.",
+            say("study-tables.cost", method=called(methods[0])),
+            say("study-tables.cost-caption", **_span()),
             [
-                ((NAMED[total], name), (number, total, methods[0]))
+                ((whose(total), say(name)), (number, total, methods[0]))
                 for total in TOTALS
                 for name, number in COSTS
             ],
         ),
     ]
     if len(results[0].study.terms) > 1:
-        tables += [_sums(rows), _ranges(rows)]
+        tables += [_sums(rows, placed), _ranges(rows)]
     return [*tables, *_draws(results)]
 
 
 SAVINGS = (
-    ("point", "Saving at tau = 100 %, xi = 18 %"),
-    ("mean", "Mean saving over the grid of tau and xi"),
+    ("point", "study-tables.saving-point"),
+    ("mean", "study-tables.saving-mean"),
 )
-COSTS = (("alone", "alone"), ("joint, least", "joint low"), ("joint, greatest", "joint high"))
+COSTS = (
+    ("study-tables.alone", "alone"),
+    ("study-tables.joint-least", "joint low"),
+    ("study-tables.joint-greatest", "joint high"),
+)
+BY = {"dijkstra": "study-tables.by-dijkstra", "astar": "study-tables.by-astar"}
+
+
+def _span() -> dict[str, str]:
+    """Return between which costs the paper's surfaces lie."""
+    low, high = map(figure, PRINTED["alone"].value)
+    return {"low": low, "high": high}
 
 
 def _counts(method: str) -> str:
@@ -151,36 +156,40 @@ def _counts(method: str) -> str:
     return "dijkstra" if method == "dijkstra" else "astar"
 
 
-def _sums(rows: Sequence[Row]) -> ShownTable:
+def _sums(rows: Sequence[Row], placed: Mapping[str, str]) -> ShownTable:
     """Return the printed numbers under each choice of terms, at the first placing."""
     place, method = rows[0].network, rows[0].method
     at = {(r.number, r.terms, r.mixing, r.counted): _shown(r)
           for r in rows if r.network == place and r.method == method}  # fmt: skip
     columns: list[tuple[Head, tuple[str, str]]] = [
-        *((("cost of a vehicle [km]", name), (number, "members")) for name, number in COSTS),
-        (("saving [%]", "at 100 %, 18 % (paper 8)"), ("point", "members")),
-        (("saving [%]", "mean (paper 14)"), ("mean", "members")),
-        *((("members involved [%]", name), (_counts(method), name)) for name in INVOLVEMENTS),
+        *(
+            ((say("study-tables.of-cost"), say(name)), (number, "members"))
+            for name, number in COSTS
+        ),
+        ((say("study-tables.of-saving"), say("study-tables.at-point")), ("point", "members")),
+        ((say("study-tables.of-saving"), say("study-tables.at-all")), ("mean", "members")),
+        *(
+            ((say("study-tables.of-involved"), whose(name)), (_counts(method), name))
+            for name in INVOLVEMENTS
+        ),
     ]
     lines = tuple(
-        (_added(terms), MIXED[mixing], *(
+        (summed(terms), mixed(mixing), *(
             at[number, terms, mixing, counted] for _, (number, counted) in columns
         ))
         for terms, mixing in dict.fromkeys((r.terms, r.mixing) for r in rows)
     )  # fmt: skip
     return ShownTable(
-        "What eq. 11 and 12 add up",
-        f"{CALLED[method]}, costs of the members, vehicles at {place}. The paper's surfaces span "
-        "about 1150 to 1400 km.",
-        (("", "terms"), ("", "mixing"), *(name for name, _ in columns)),
+        say("study-tables.sums"),
+        say("study-tables.sums-caption", method=called(method), place=placed[place], **_span()),
+        (
+            ("", say("study-tables.terms")),
+            ("", say("study-tables.mixing")),
+            *(name for name, _ in columns),
+        ),
         lines,
         2,
     )
-
-
-def _added(terms: str) -> str:
-    """Return a sum of terms with room around its signs."""
-    return terms.replace("+", " + ")
 
 
 def _ranges(rows: Sequence[Row]) -> ShownTable:
@@ -188,7 +197,7 @@ def _ranges(rows: Sequence[Row]) -> ShownTable:
     names = {number: p for number, p in PRINTED.items() if any(r.number == number for r in rows)}
     lines = []
     for terms in dict.fromkeys(r.terms for r in rows):
-        line = [_added(terms)]
+        line = [summed(terms)]
         for number in names:
             # The paper's savings and surfaces are Dijkstra's.
             of = [r for r in rows if r.terms == terms and r.number == number
@@ -196,18 +205,32 @@ def _ranges(rows: Sequence[Row]) -> ShownTable:
             low, high = min(r.ours.value for r in of), max(r.ours.value for r in of)
             digits = 0 if names[number].unit == "km" else 1
             good = sum(r.agrees() for r in of)
-            line.append(f"{plain(low, digits)} to {plain(high, digits)} ({good} of {len(of)})")
+            line.append(
+                say(
+                    "study-tables.range",
+                    low=figure(low, digits),
+                    high=figure(high, digits),
+                    good=figure(good),
+                    all=figure(len(of)),
+                )
+            )
         lines.append(tuple(line))
     heads = (
-        ("", f"{p.label} [{p.unit}], paper {' to '.join(f'{v:g}' for v in p.value)}")
+        (
+            "",
+            say(
+                "study-tables.paper",
+                label=p.label,
+                unit=p.unit,
+                value=joined("study.to", map(figure, p.value)),
+            ),
+        )
         for p in names.values()
     )
     return ShownTable(
-        "The printed numbers over all readings",
-        "From the least to the greatest over all placings, mixings and ways to count, by what "
-        "eq. 11 and 12 add up. In brackets how many 95 % intervals hold the printed number, or "
-        "how many values lie in the printed range.",
-        (("", "terms"), *heads),
+        say("study-tables.ranges"),
+        say("study-tables.ranges-caption"),
+        (("", say("study-tables.terms")), *heads),
         tuple(lines),
     )
 
@@ -215,38 +238,44 @@ def _ranges(rows: Sequence[Row]) -> ShownTable:
 def _draws(results: Sequence[StudyResult]) -> list[ShownTable]:
     """Return what was drawn, and how far A* is from the optimum on the same draws."""
     heads = [
-        ("", "vehicles"), ("", "networks"), ("drawn again", "not connected"),
-        ("drawn again", "no destination"), ("", "mean route [km]"),
+        ("", say("study-tables.vehicles")), ("", say("study-tables.networks")),
+        (say("study-tables.again"), say("study-tables.not-connected")),
+        (say("study-tables.again"), say("study-tables.no-destination")),
+        ("", say("study-tables.mean-route")),
     ]  # fmt: skip
     rows = tuple(
         (
-            network_label(result), f"{len(result.master)}",
-            *(f"{count}" for count in result.redraws.sum(axis=0)),
-            f"{result.optimum.mean() / result.study.alone_factor / 1000:.0f}",
+            placing(result), figure(len(result.master)),
+            *(figure(int(count)) for count in result.redraws.sum(axis=0)),
+            figure(result.optimum.mean() / result.study.alone_factor / 1000, 0),
         )
         for result in results
     )  # fmt: skip
-    drawn = ShownTable("What was drawn", "Networks and routes alone.", tuple(heads), rows)
+    drawn = ShownTable(
+        say("study-tables.drawn"), say("study-tables.drawn-caption"), tuple(heads), rows
+    )
     common = [m for m in results[0].study.methods if all(m in r.study.methods for r in results)]
     rules = [method for method in common if method != "dijkstra"]
     if not rules:
         return [drawn]
     optimum = "dijkstra" in common
-    against = [("", "vehicles")]
+    against = [("", say("study-tables.vehicles"))]
     for method in rules:
-        against += [(CALLED[method], "alone above the optimum"), (CALLED[method], "worst vehicle")]
+        against += [
+            (called(method), say("study-tables.above")),
+            (called(method), say("study-tables.worst")),
+        ]
         if optimum:
-            against.append((CALLED[method], "joint plan above Dijkstra's"))
+            against.append((called(method), say("study-tables.joint-above")))
     if len(rules) == 2:
-        against.append(("both", "routes alone that differ"))
-    against.append(("both", "heuristic over the true cost"))
-    lines = tuple((network_label(result), *_against(result, rules, optimum)) for result in results)
+        against.append((say("study-tables.both"), say("study-tables.differ")))
+    against.append((say("study-tables.both"), say("study-tables.heuristic")))
+    lines = tuple((placing(result), *_against(result, rules, optimum)) for result in results)
     return [
         drawn,
         ShownTable(
-            "The inflated A* against the optimum [%]",
-            "On the same draws. The heuristic is the median, with 10 % to 90 % in brackets; it may "
-            "promise no more than 100.",
+            say("study-tables.inflated"),
+            say("study-tables.inflated-caption"),
             tuple(against),
             lines,
         ),
@@ -266,14 +295,14 @@ def _against(result: StudyResult, rules: Sequence[Method], optimum: bool) -> lis
     line = []
     for method in rules:
         line.append(_told(_excess(alone[method].sum(axis=1), result.optimum.sum(axis=1)), 1))
-        line.append(f"{100 * (alone[method] / result.optimum - 1).max():.0f}")
+        line.append(figure(100 * (alone[method] / result.optimum - 1).max(), 0))
         if optimum:
             line.append(_told(_excess(joint(method), joint("dijkstra")), 1))
     if len(rules) == 2:
         differ = ~np.isclose(alone[rules[0]], alone[rules[1]], rtol=1e-9, atol=0)
-        line.append(f"{100 * differ.mean():.0f}")
+        line.append(figure(100 * differ.mean(), 0))
     low, middle, high = np.percentile(result.overestimate, [10, 50, 90])
-    return [*line, f"{middle:.0f} [{low:.0f}, {high:.0f}]"]
+    return [*line, _told(Estimate(middle, low, high), 0)]
 
 
 def _excess(above: Floats, below: Floats) -> Estimate:
@@ -291,8 +320,8 @@ def _shown(row: Row) -> str:
 
 
 def _told(ours: Estimate, digits: int) -> str:
-    value, low, high = (plain(number, digits) for number in (ours.value, ours.low, ours.high))
-    return f"{value} [{low}, {high}]"
+    value, low, high = (figure(number, digits) for number in (ours.value, ours.low, ours.high))
+    return say("study-tables.interval", value=value, low=low, high=high)
 
 
 def markdown(tables: Sequence[ShownTable], paragraph: str, how: str) -> str:

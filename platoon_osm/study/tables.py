@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..atomic_file import whole_file
 from ..csv_tables import write_table
+from ..report.language.speech import speaking
 from .comparison import PRINTED, Row, network_label
 from .example import Example
 from .measures import INVOLVEMENTS, TOTALS, Measures
@@ -41,9 +42,11 @@ def write_comparison(path: Path, rows: Sequence[Row]) -> None:
         "number", "paper", "unit", "network", "mixing", "terms", "counted", "method", "ours",
         "low_95", "high_95", "agrees",
     ]  # fmt: skip
+    with speaking("en"):
+        names = {number: printed.label for number, printed in PRINTED.items()}
     write_table(path, header, (
         [
-            PRINTED[row.number].label,
+            names[row.number],
             " to ".join(f"{v:g}" for v in PRINTED[row.number].value), PRINTED[row.number].unit,
             row.network, row.mixing, row.terms, row.counted, row.method, row.ours.value,
             row.ours.low, row.ours.high, int(row.agrees()),

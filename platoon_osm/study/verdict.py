@@ -8,12 +8,23 @@ from dataclasses import astuple, dataclass
 
 from ..errors import ScenarioError
 from ..planning.routers import Method
-from .comparison import PRINTED, Row, plain
+from ..report.language.speech import say
+from .comparison import PRINTED, Printed, Row, labels
 from .measures import INVOLVEMENTS, TOTALS, Estimate
 from .monte_carlo import StudyResult
 from .readings import alone_per_metre
+from .wording import figure, joined, percent, summed
 
-__all__ = ["Whole", "agreement", "verdict"]
+__all__ = ["COSTS_OF", "Whole", "agreement", "conclusions", "verdict"]
+
+COSTS_OF = {"members": "study.costs-members", "system": "study.costs-system"}
+MIXING = {"printed": "study-verdict.printed", "gain": "study-verdict.gain"}
+RULES = {"astar": "study-verdict.again", "astar-closed-once": "study-verdict.once"}
+WHO = {
+    "joined": "study-verdict.joins",
+    "merges and separates": "study-verdict.merges",
+    "inside the master's route": "study-verdict.inside",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,54 +111,98 @@ def verdict(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> str:
     Raises
     ------
     ScenarioError
+        As in `conclusions`.
+    """
+    return " ".join(conclusions(rows, results))
+
+
+def conclusions(rows: Sequence[Row], results: Sequence[StudyResult] = ()) -> list[str]:
+    """Return what `verdict` says, sentence by sentence.
+
+    Parameters
+    ----------
+    rows : sequence of Row
+        Of `compare`.
+    results : sequence of StudyResult
+        The studies.
+
+    Returns
+    -------
+    list of str
+        In the language that is spoken.
+
+    Raises
+    ------
+    ScenarioError
         No row at all.
     """
     if not rows:
         raise ScenarioError("comparison: no study to compare")
     ranked = agreement(rows)
-    text = []
-    if ranked:
-        best = ranked[0]
-        shown = "; ".join(
-            f"{PRINTED[name].label}: {ours.value:.1f} % (paper {PRINTED[name].value[0]:g} %)"
-            for name, ours in best.numbers.items()
-        )
-        rule = "is opened again" if best.astar == "astar" else "is explored once"
-        text.append(
-            f"Of {len(ranked)} readings the one closest to the four printed percentages is: "
-            f"vehicles at {best.network}; {best.mixing} mixing of {best.terms}; costs of "
-            f"{'the members' if best.total == 'members' else 'members and master'}; involved is "
-            f"who {_who(best.counted)}; under A* a node {rule}. It gives {shown}; on "
-            f"average {best.away:.1f} points away. It was picked after the fact, so it describes "
-            "the paper's numbers; it does not confirm them."
-        )
-        every = sum(
-            all(ours.covers(PRINTED[n].value[0]) for n, ours in one.numbers.items())
-            for one in ranked
-        )
-        text.append(
-            f"All four numbers lie within the 95 % intervals of {_count(every)} of these readings."
-        )
+    text = _closest(ranked, labels(results)) if ranked else []
     for number, printed in PRINTED.items():
         of = [row for row in rows if row.number == number]
         if number != "astar":
             # The paper's savings and surfaces are Dijkstra's.
             of = [row for row in of if row.method == "dijkstra"]
-        if not of:
-            continue
-        good = sum(row.agrees() for row in of)
-        low, high = min(r.ours.value for r in of), max(r.ours.value for r in of)
-        paper = " to ".join(f"{value:g}" for value in printed.value)
-        if len(printed.value) > 1:
-            found = f"{_count(good)} of them in that range."
-        else:
-            found = f"{_count(good)} of their 95 % intervals {'holds' if good < 2 else 'hold'} it."
-        text.append(
-            f"{printed.label[0].upper()}{printed.label[1:]} (paper {paper} {printed.unit}): ours "
-            f"{plain(low, 1)} to {plain(high, 1)} {printed.unit} over {len(of)} readings, {found}"
+        if of:
+            text.append(_over_all(printed, of))
+    return text + _beyond_reach(results)
+
+
+def _closest(ranked: Sequence[Whole], placed: Mapping[str, str]) -> list[str]:
+    """Say which reading comes closest, and how many give all four numbers."""
+    best = ranked[0]
+    shown = "; ".join(
+        say(
+            "study-verdict.number",
+            label=PRINTED[name].label,
+            ours=percent(ours.value, 1),
+            paper=percent(PRINTED[name].value[0]),
         )
-    text += _beyond_reach(results)
-    return " ".join(text)
+        for name, ours in best.numbers.items()
+    )
+    every = sum(
+        all(ours.covers(PRINTED[n].value[0]) for n, ours in one.numbers.items()) for one in ranked
+    )
+    return [
+        say(
+            "study-verdict.closest",
+            readings=figure(len(ranked)),
+            place=placed.get(best.network, best.network),
+            mixing=say(MIXING[best.mixing], terms=summed(best.terms, "study-verdict.plus")),
+            costs=say(COSTS_OF[best.total]),
+            who=say(WHO[best.counted]),
+            rule=say(RULES[best.astar]),
+        ),
+        say("study-verdict.gives", numbers=shown, away=figure(best.away, 1)),
+        say("study-verdict.after-the-fact"),
+        say("study-verdict.all-four", count=_count(every)),
+    ]
+
+
+def _over_all(printed: Printed, of: Sequence[Row]) -> str:
+    """Say between what values a printed number lies over all readings, and how many agree."""
+    good = sum(row.agrees() for row in of)
+    if len(printed.value) > 1:
+        found = say("study-verdict.in-range", count=_count(good))
+    elif good < 2:
+        found = say("study-verdict.holds", count=_count(good))
+    else:
+        found = say("study-verdict.hold", count=_count(good))
+    return say(
+        "study-verdict.number-over-all",
+        label=printed.label[0].upper() + printed.label[1:],
+        paper=_in_unit(joined("study.to", map(figure, printed.value)), printed.unit),
+        low=figure(min(row.ours.value for row in of), 1),
+        high=_in_unit(figure(max(row.ours.value for row in of), 1), printed.unit),
+        readings=figure(len(of)),
+        found=found,
+    )
+
+
+def _in_unit(value: str, unit: str) -> str:
+    return say("study.percent", value=value) if unit == "%" else f"{value} {unit}"
 
 
 def _beyond_reach(results: Sequence[StudyResult]) -> list[str]:
@@ -162,19 +217,15 @@ def _beyond_reach(results: Sequence[StudyResult]) -> list[str]:
         ]
         if least and len(least) == len(results) and min(least) > most:
             text.append(
-                f"With {terms} (eq. 11) no draw could: a vehicle alone pays {min(least):.0f} km "
-                f"for the minimum route already, more than the {most:g} km at which the paper's "
-                "surfaces end."
+                say(
+                    "study-verdict.beyond",
+                    terms=summed(terms, "study-verdict.plus"),
+                    least=figure(min(least), 0),
+                    most=figure(most),
+                )
             )
     return text
 
 
-def _who(counted: str) -> str:
-    return {
-        "joined": "joins at all",
-        "merges and separates": "truly merges and truly separates",
-    }.get(counted, "truly merges and separates inside the master's route")
-
-
 def _count(number: int) -> str:
-    return "none" if number == 0 else str(number)
+    return say("study-verdict.none") if number == 0 else figure(number)

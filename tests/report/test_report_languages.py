@@ -2,63 +2,26 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
-from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
 import pytest
+from page_texts import READ_ALOUD, left_over, texts_of
 from plan_kinds import plan_kind
 
 import platoon_osm as po
 from platoon_osm.report.language.languages import languages
 
-HASH = re.compile(r"[0-9a-f]{8,64}…?[0-9a-f]*")
-
 Visit = Callable[..., Any]
 
-READ_ALOUD = ("aria-label", "title", "alt", "aria-valuetext", "placeholder", "summary")
-
-SAME_EVERYWHERE = re.compile(
-    r"platoon_osm|sha256|Graph|A\*|Platoons?|OpenStreetMap contributors|Leaflet|GeoPackage|"
-    r"GPX|CSV|JSON|GeoJSON|ICS|iCal|Case|UTC|EUR|km/h|km|min|eq|h|l|d|m|T|MP|SP"
-)
-"""Words that are the same in other languages too."""
-
-SAME_IN = {"it": {"In platoon"}}
+SAME_IN = {"de": {"Plan"}, "it": {"In platoon"}}
 """Whole texts of a language that are spelt as the English ones are."""
 
 KINDS = (
     "three vehicles", "without times", "one vehicle", "all are late", "fifty vehicles",
     "over several days",
 )  # fmt: skip
-
-
-class Texts(HTMLParser):
-    """All that a page shows or is read aloud from it, but scripts and styles."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.found: set[str] = set()
-        self.silent = 0
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.silent += tag in ("script", "style")
-        self.found |= {value for name, value in attrs if name in READ_ALOUD and value}
-
-    def handle_endtag(self, tag: str) -> None:
-        self.silent -= tag in ("script", "style")
-
-    def handle_data(self, data: str) -> None:
-        if not self.silent:
-            self.found.add(" ".join(data.split()))
-
-
-def texts_of(html: str) -> set[str]:
-    texts = Texts()
-    texts.feed(html)
-    return texts.found
 
 
 def names_in(value: Any, key: str = "") -> Iterator[str]:
@@ -74,20 +37,6 @@ def names_in(value: Any, key: str = "") -> Iterator[str]:
                 yield from names_in(inner, key)
     elif isinstance(value, str) and key in ("name", "title", "credits", "letter", "label", "zone"):
         yield value
-
-
-def left_over(english: set[str], other: set[str], names: set[str]) -> set[str]:
-    """Return texts of both languages that hold a word which is no name and no unit."""
-    found = set()
-    for text in english & other:
-        rest = text
-        for name in sorted(names, key=len, reverse=True):
-            rest = rest.replace(name, " ")
-        rest = SAME_EVERYWHERE.sub(" ", rest)
-        # Parameters of costs are called as in a scenario, networks by the digits of a hash.
-        if re.search(r"[A-Za-z]{3,}", rest) and " = " not in text and not HASH.fullmatch(text):
-            found.add(text)
-    return found
 
 
 LIVE = """() => {

@@ -5,16 +5,28 @@ from importlib.resources import files
 from pathlib import Path
 
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from page_texts import ENGLISH, left_over, told_by_study
 
+from platoon_osm import __version__
+from platoon_osm.report.language.speech import speaking
 from platoon_osm.study.answer import answer_of
 from platoon_osm.study.command import studies_of
-from platoon_osm.study.comparison import compare
+from platoon_osm.study.comparison import compare, placing
+from platoon_osm.study.example import example_of
+from platoon_osm.study.figures import (
+    cost_figure,
+    involvement_figure,
+    network_figure,
+    save_figure,
+)
 from platoon_osm.study.monte_carlo import run_study
 from platoon_osm.study.options import StudyOptions
 from platoon_osm.study.page import Picture, StudyPage, write_page
 from platoon_osm.study.parameters import parameters_in_words
 from platoon_osm.study.shown_tables import shown_tables
-from platoon_osm.study.verdict import verdict
+from platoon_osm.study.verdict import conclusions
 
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" width="700" height="400"><path d="M0 0L9 9"/></svg>'
 
@@ -33,7 +45,11 @@ def studied(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def page(studied, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("page")
+    return written(studied, tmp_path_factory.mktemp("page"))
+
+
+def written(studied, folder):
+    """Write the page in the language that is spoken."""
     (folder / "figure.svg").write_text(SVG)
     rows = compare(studied)
     picture = Picture("A figure", "What is to be seen.", "A line falls.", folder / "figure.svg")
@@ -41,11 +57,51 @@ def page(studied, tmp_path_factory):
     write_page(
         folder / "report.html",
         StudyPage(
-            answer_of(rows, studied), verdict(rows, studied), [picture, picture],
+            answer_of(rows, studied), conclusions(rows, studied), [picture, picture],
             shown_tables(studied, rows), parameters_in_words(studied), plain, "platoon-osm <study>",
         ),
     )  # fmt: skip
     return folder / "report.html"
+
+
+@pytest.mark.parametrize("language", ["de", "it"])
+def test_no_english_word_is_left(studied, page, tmp_path, language):
+    with speaking(language):
+        other = written(studied, tmp_path).read_text(encoding="utf-8")
+    assert f'<html lang="{language}"' in other
+    english = page.read_text(encoding="utf-8")
+    given = {"A figure", "What is to be seen.", "A line falls.", "Dijkstra", "tau", "l per 100 km"}
+    said = told_by_study(other)
+    assert left_over(told_by_study(english), said, given) == set()
+    assert [text for text in said if ENGLISH.search(text)] == []
+    # Numbers have the signs of the language, and no point is left between figures of one.
+    assert re.search(r"\d,\d%" if language == "it" else r"\d,\d&nbsp;%", other)
+    assert not re.search(r"\d\.\d(?!\d\d)", " ".join(said).replace(__version__, ""))
+
+
+def drawn(studied):
+    """Return what the figures of a study say."""
+    figures = [
+        network_figure([(placing(result), example_of(result)) for result in studied]),
+        cost_figure(studied[0]),
+        involvement_figure(studied, "astar"),
+    ]
+    return {text.get_text() for figure in figures for text in figure.findobj(Text)}
+
+
+def test_figures_leave_no_english_word(studied):
+    english = drawn(studied)
+    with speaking("it"):
+        assert left_over(english, drawn(studied), set()) == set()
+
+
+def test_axes_have_the_decimal_sign_of_the_language(tmp_path):
+    for language, tick in (("en", "<!-- 0.5 -->"), ("de", "<!-- 0,5 -->")):
+        figure = Figure((2, 2))
+        figure.subplots().set_xticks([0, 0.5])
+        with speaking(language):
+            save_figure(figure, tmp_path / language)
+        assert tick in (tmp_path / f"{language}.svg").read_text(encoding="utf-8")
 
 
 def test_the_answer_comes_first_with_its_numbers(studied, page):

@@ -2,8 +2,10 @@
 
 import csv
 import re
+import shutil
 
 import pytest
+from page_texts import ENGLISH, left_over, told_by_study
 
 from platoon_osm.cli import main
 
@@ -76,15 +78,35 @@ def test_the_report_asks_for_nothing(made):
     assert "xi = 18 %" in page.replace("&nbsp;", " ")
 
 
-def test_the_table_in_a_document_is_renewed(made, tmp_path):
+def test_a_report_in_another_language_leaves_all_data_english(made, tmp_path, capsys):
     document = tmp_path / "paper.md"
     document.write_text("before\n<!-- study:begin -->\nold\n<!-- study:end -->\nafter\n")
-    run(made, "--table", str(document))
+    folder = tmp_path / "out"
+    shutil.copytree(made / "runs", folder / "runs")
+    run(folder, "--table", str(document), "--language", "de")
+    said = capsys.readouterr().out
     text = document.read_text(encoding="utf-8")
     assert text.startswith("before\n<!-- study:begin -->\nMeasured by `platoon-osm study")
     assert text.endswith("<!-- study:end -->\nafter\n")
     assert "\nold\n" not in text
     assert "| Dijkstra: members | Dijkstra: with master |" in text
+    assert said.startswith("Of 288 readings the one closest")
+    assert "--language" not in text
+    for path in made.iterdir():
+        if path.suffix in (".csv", ".parquet"):
+            assert (folder / path.name).read_bytes() == path.read_bytes(), path.name
+    english, german = ((one / "report.html").read_text(encoding="utf-8") for one in (made, folder))
+    assert '<html lang="de"' in german
+    said = told_by_study(german)
+    assert left_over(told_by_study(english), said, {"Dijkstra", "tau"}) == set()
+    assert [sentence for sentence in said if ENGLISH.search(sentence)] == []
+    for path in made.glob("*.svg"):
+        drawn = [
+            set(re.findall("<!-- (.*?) -->", (one / path.name).read_text(encoding="utf-8")))
+            for one in (made, folder)
+        ]
+        assert len(drawn[1]) > 5
+        assert left_over(*drawn, set()) == set(), path.name
 
 
 @pytest.mark.parametrize(
@@ -96,7 +118,8 @@ def test_the_table_in_a_document_is_renewed(made, tmp_path):
         (["--network", "nowhere.osm"], "nowhere.osm"), (["--flows", "traffic.csv"], "--network"),
         (["--dropout", "2"], "dropout"), (["--edges", "20", "--runs", "1"], "draws"),
         (["--table", "missing.md"], "missing.md"), (["--pruning", "tall"], "pruning"),
-        (["--spawning", ""], "spawning"), (["--diameter-km", "nan"], "spawn_diameter_m"),
+        (["--spawning", ""], "spawning"), (["--language", "xx"], "language"),
+        (["--diameter-km", "nan"], "spawn_diameter_m"),
     ],
 )  # fmt: skip
 def test_bad_input_is_refused_in_one_line(arguments, word, tmp_path, capsys, monkeypatch):

@@ -9,6 +9,7 @@ import click
 
 from ...errors import ScenarioError
 from ...study.options import StudyOptions
+from ..language import language_option
 from ..options import FILE, SectionOption, Sections, was_given
 from ..progress import counted
 
@@ -87,6 +88,7 @@ Examples:
   platoon-osm study --network NL/graph.graphml --flows NL/traffic.csv --min-route-km 150 -o out/nl
 """,
 )
+@language_option
 def verb(**chosen: Any) -> None:
     """Repeat the paper's Monte Carlo and put every number it prints beside ours.
 
