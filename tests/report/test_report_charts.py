@@ -119,7 +119,7 @@ def test_no_text_of_a_chart_is_cut_or_covers_another(
             assert chart["hidden"] <= 0, "a part has to be scrolled to"
             for box in chart["boxes"]:
                 # Wide letters in a disc are a little smaller.
-                least = 9.4 if len(box["text"]) <= 2 else 10.4
+                least = 9.3 if len(box["text"]) <= 2 else 10.4
                 assert box["size"] > least, (width, chart["name"], box["text"])
 
 

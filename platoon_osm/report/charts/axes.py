@@ -35,7 +35,7 @@ SIZE = 12.0
 GAP = 8.0
 """Least blank between labels of a scale."""
 
-MOST_LETTER, LEAST_LETTER, LETTER_ROOM = 12.0, 10.9, 19.0
+MOST_LETTER, LEAST_LETTER, LETTER_ROOM = 12.0, 9.7, 19.0
 """Type of a letter in a disc of radius 10, and how wide it may be; two wide ones are smaller."""
 
 
