@@ -96,9 +96,11 @@ def _asked(results: Sequence[StudyResult]) -> str:
     network, vehicles, runs = study.network, figure(study.network.vehicles), figure(study.runs)
     if isinstance(network, RandomNetwork):
         nodes = figure(network.nodes)
-        return say("study-answer.asked-random", vehicles=vehicles, runs=runs, nodes=nodes)
+        return say(
+            "study-answer.asked-random", n=study.runs, vehicles=vehicles, runs=runs, nodes=nodes
+        )
     name = shown(network.net.source.name)
-    return say("study-answer.asked-real", vehicles=vehicles, runs=runs, name=name)
+    return say("study-answer.asked-real", n=study.runs, vehicles=vehicles, runs=runs, name=name)
 
 
 def _of_closest(ranked: Sequence[Whole], results: Sequence[StudyResult]) -> Answer:
@@ -121,7 +123,9 @@ def _of_closest(ranked: Sequence[Whole], results: Sequence[StudyResult]) -> Answ
     standing: Standing = "part" if good else "none"
     if whole:
         standing = "all"
-        verdict = say("study-answer.agrees", whole=number(whole), readings=number(len(ranked)))
+        verdict = say(
+            "study-answer.agrees", n=whole, whole=number(whole), readings=number(len(ranked))
+        )
     elif good:
         verdict = say("study-answer.agrees-in-part", good=good)
     else:
@@ -166,7 +170,7 @@ def _of_ranges(rows: Sequence[Row], results: Sequence[StudyResult]) -> Answer:
         _asked(results),
         say("study-answer.ranges"),
         say("study-answer.ranges-reading"),
-        say("study-answer.reached", reached=reached, all=len(numbers)),
+        say("study-answer.reached", n=reached, reached=reached, all=len(numbers)),
         "all" if reached == len(numbers) else "part" if reached else "none",
         tuple(numbers),
     )

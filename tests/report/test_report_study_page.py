@@ -1,6 +1,7 @@
 """The page of a study: the answer first, and as good to read as the page of a plan."""
 
 import re
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from platoon_osm import __version__
 from platoon_osm.report.language.speech import speaking
 from platoon_osm.study.answer import answer_of
 from platoon_osm.study.command import studies_of
-from platoon_osm.study.comparison import compare, placing
+from platoon_osm.study.comparison import PRINTED, compare, placing
 from platoon_osm.study.example import example_of
 from platoon_osm.study.figures import (
     cost_figure,
@@ -21,6 +22,7 @@ from platoon_osm.study.figures import (
     network_figure,
     save_figure,
 )
+from platoon_osm.study.measures import Estimate
 from platoon_osm.study.monte_carlo import run_study
 from platoon_osm.study.options import StudyOptions
 from platoon_osm.study.page import Picture, StudyPage, write_page
@@ -129,6 +131,33 @@ def test_a_study_of_one_method_has_an_answer_too(tmp_path):
     assert "printed numbers lie in the interval" in answer.verdict
     titles = [table.title for table in shown_tables(results, compare(results))]
     assert not any("A*" in title for title in titles)
+
+
+@pytest.mark.parametrize(
+    ("language", "drawn_on", "agreeing"),
+    [
+        ("en", "1 random network of", ("1 of 3 printed numbers lies",
+         "2 of 3 printed numbers lie")),
+        ("de", "1 Zufallsnetz mit", ("1 von 3 gedruckten Zahlen liegt",
+         "2 von 3 gedruckten Zahlen liegen")),
+        ("it", "1 rete casuale di", ("1 numero stampato su 3 sta",
+         "2 numeri stampati su 3 stanno")),
+    ],
+)  # fmt: skip
+def test_one_has_its_own_form(studied, language, drawn_on, agreeing):
+    once = replace(studied[0], study=replace(studied[0].study, runs=1))
+    rows = [row for row in compare(studied) if row.method == "dijkstra"]
+    for good, wanted in zip((("point",), ("point", "mean")), agreeing, strict=True):
+        known = [
+            replace(
+                row, ours=Estimate(*[PRINTED[row.number].value[0] + (row.number not in good)] * 3)
+            )
+            for row in rows
+        ]
+        with speaking(language):
+            answer = answer_of(known, [once])
+        assert drawn_on in answer.asked
+        assert answer.verdict.startswith(f"{wanted} ")
 
 
 def test_parameters_are_in_words_with_units(studied):
