@@ -274,6 +274,8 @@ def chart_type(page: Any) -> float:
           .filter(e => e.checkVisibility())
           .map(e => parseFloat(getComputedStyle(e).fontSize) * e.getScreenCTM().a * 0.75)"""
     )
+    # Credits are cut after some lines on a screen only.
+    assert page.locator(".credit").evaluate("e => getComputedStyle(e).display") == "block"
     # A page wider than the paper is printed smaller, and all its type with it.
     assert page.evaluate("document.documentElement.scrollWidth") <= 696
     assert page.locator(".legend").evaluate("e => e.getBoundingClientRect().right") <= 696
