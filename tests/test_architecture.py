@@ -16,7 +16,7 @@ PACKAGE = ROOT / "platoon_osm"
 WALLS = {
     "": (
         "errors", "kinds", "registry", "interrupts", "leftovers", "shown_text", "output_paths",
-        "atomic_file", "csv_tables", "offers", "network", "sources", "search",
+        "atomic_file", "csv_tables", "offers", "network", "vehicles", "sources", "search",
         "costs", "plans", "driving", "planning", "report", "study", "cli",
     ),
     "network": ("towns", "preparing", "saved"),

@@ -42,7 +42,9 @@ class NetworkArrays:
     length_m : ndarray of float, (m,)
         Length along the shape [m].
     speed_mps : ndarray of float, (m,)
-        Speed that a lone truck drives there [m/s].
+        Speed that a lone truck drives there [m/s], under the law and its speed limiter.
+    posted_mps : ndarray of float, (m,)
+        Speed that a vehicle of up to 3.5 t may drive there [m/s], by signs or by law.
     lon, lat : ndarray of float, (n,)
         Degrees, EPSG:4326.
     node_id : ndarray of int64, (n,)
@@ -57,6 +59,11 @@ class NetworkArrays:
         Whether trucks pay toll.
     inferred : ndarray of bool, (m,)
         Whether the edge is not in the map but was added by the loader.
+    restriction : ndarray of int32, (m,)
+        Codes in `texts`: what the map restricts there and for whom, in the form of
+        `network.restrictions`; empty where nothing is.
+    country : ndarray of int32, (m,)
+        Codes in `texts`: ISO 3166 code of the country or state, "IT" or "US-CA"; empty if unknown.
     way_id : ndarray of int64, (m,)
         OpenStreetMap way an edge (its longest part) came from; 0 if none.
     shape_first : ndarray of int64, (m + 1,)
@@ -78,6 +85,7 @@ class NetworkArrays:
     head: Ints
     length_m: Floats
     speed_mps: Floats
+    posted_mps: Floats
     lon: Floats
     lat: Floats
     node_id: NDArray[np.int64]
@@ -88,6 +96,8 @@ class NetworkArrays:
     name: Ints
     toll: NDArray[np.bool_]
     inferred: NDArray[np.bool_]
+    restriction: Ints
+    country: Ints
     way_id: NDArray[np.int64]
     shape_first: NDArray[np.int64]
     shape_lon: Floats

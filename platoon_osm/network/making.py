@@ -68,6 +68,8 @@ def made_columns(given: Mapping[str, Any], texts: TextTable | None) -> tuple[Col
     if "length_m" not in columns:
         with np.errstate(invalid="ignore"):  # points off the globe are refused later, by name
             columns["length_m"] = shape_lengths_m(first, lon, lat)
+    if "posted_mps" not in columns and "speed_mps" in columns:
+        columns["posted_mps"] = columns["speed_mps"]  # no truck is slower there than others
     if "node_id" not in columns:
         columns["node_id"] = np.arange(n, dtype=np.int64)
     order = np.argsort(tail, kind="stable")

@@ -43,6 +43,14 @@ class Graph(Protocol):
         """Speed on each edge [m/s], (m,)."""
 
     @property
+    def posted_mps(self) -> NDArray[np.float64]:
+        """Speed of light vehicles on each edge [m/s], (m,)."""
+
+    @property
+    def restriction(self) -> NDArray[np.int32]:
+        """Code of what is restricted on each edge, (m,)."""
+
+    @property
     def node_id(self) -> NDArray[np.int64]:
         """OpenStreetMap id of each node, (n,)."""
 
@@ -70,7 +78,7 @@ def incoming_edges(graph: Graph) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 
 def identity_of(graph: Graph) -> str:
-    """Hash the graph itself: nodes, edges, lengths and speeds.
+    """Hash the graph itself: nodes, edges, lengths, speeds and where restrictions are.
 
     Parameters
     ----------
@@ -85,4 +93,8 @@ def identity_of(graph: Graph) -> str:
     digest = hashlib.sha256()
     for array in (graph.tail, graph.head, graph.length_m, graph.speed_mps, graph.node_id):
         digest.update(array.tobytes())
+    for extra in (graph.restriction, graph.posted_mps - graph.speed_mps):
+        # Where nothing is restricted the hash is that of the bare graph.
+        if extra.any():
+            digest.update(extra.tobytes())
     return digest.hexdigest()[:16]

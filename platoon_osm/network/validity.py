@@ -38,16 +38,18 @@ def check_values(value_of: Callable[[str], NDArray[Any]], texts: int) -> None:
             "coordinates must be degrees within [-180, 180] and [-90, 90]"
         )
     length_m, speed_mps = value_of("length_m"), value_of("speed_mps")
+    posted_mps = value_of("posted_mps")
     for label, values, allowed in (
         ("length", length_m, length_m >= 0),
         ("speed", speed_mps, speed_mps > 0),
+        ("posted speed", posted_mps, posted_mps > 0),
     ):
         wrong = ~(allowed & np.isfinite(values))
         if wrong.any():
             e = int(np.argmax(wrong))
             raise NetworkError(
                 f"network: edge {e} (way {way_id[e]}) has {label} {values[e]}; "
-                f"a {label} must be finite and {'above' if label == 'speed' else 'not below'} 0"
+                f"a {label} must be finite and {'not below' if label == 'length' else 'above'} 0"
             )
     shape_lon, shape_lat = value_of("shape_lon"), value_of("shape_lat")
     off_globe = ~((np.abs(shape_lon) <= 180) & (np.abs(shape_lat) <= 90))

@@ -338,6 +338,7 @@ def _with_links(net: RoadNetwork, pairs: Index) -> RoadNetwork:
         head=heads,
         length_m=np.maximum(gap, SHORTEST_RAMP_M),
         speed_mps=RAMP_SPEED_MPS,
+        posted_mps=RAMP_SPEED_MPS,
         road_class=ROAD_CLASSES.index("motorway_link"),
         inferred=True,
     )

@@ -230,6 +230,7 @@ def _made(
     head, length = columns["head"], columns["length_m"]
     head[m:], length[m:] = added.head, added.length
     columns["speed_mps"][m:] = added.speed
+    columns["posted_mps"][m:][beside] = columns["speed_mps"][m:][beside]
     columns["road_class"][m:][beside] = ROAD_CLASSES.index("other")
     head[cut] = [one[0] for one in changed.values()]
     ends = np.concatenate([np.ones(m), np.array(added.ends, np.float64)])

@@ -16,7 +16,8 @@ __all__ = ["merge_chains"]
 
 KEEP = Column("keep", "node", "b1")
 
-WORKED_OUT = frozenset({"tail", "head", "length_m", "speed_mps"})
+SPEEDS = ("speed_mps", "posted_mps")
+WORKED_OUT = frozenset({"tail", "head", "length_m", *SPEEDS})
 """Columns of a chain that are no choice among those of its parts."""
 
 
@@ -25,7 +26,8 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
 
     Lengths and driving times add up; the shape passes all points. Road number, name, class and
     way are those of the longest part of the chain. A node stays where the toll begins or
-    ends, where inferred road meets mapped road, and where `keep` says so.
+    ends, where inferred road meets mapped road, where a restriction or another country begins,
+    and where `keep` says so.
 
     Parameters
     ----------
@@ -61,13 +63,7 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
     used[new_tail] = used[new_head] = True
     renumbered = np.cumsum(used) - 1
     length = np.add.reduceat(net.length_m[chains.segments], starts) if count else np.zeros(0)
-    time = (
-        np.add.reduceat((net.length_m / net.speed_mps)[chains.segments], starts)
-        if count
-        else np.zeros(0)
-    )
-    first_speed = net.speed_mps[chains.segments[starts]]
-    speed = np.divide(length, time, out=first_speed.copy(), where=time > 0)
+    speeds = {name: _mean_speed(net, getattr(net, name), chains, length) for name in SPEEDS}
     points, shape_first = _joined_shapes(net, chains)
     longest = {
         column.name: _of_longest_part(getattr(net, column.name), net.length_m, chains)
@@ -81,11 +77,23 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
         tail=renumbered[new_tail],
         head=renumbered[new_head],
         length_m=length,
-        speed_mps=speed,
+        **speeds,
         shape_first=shape_first,
         shape_lon=net.shape_lon[points],
         shape_lat=net.shape_lat[points],
     )
+
+
+def _mean_speed(
+    net: RoadNetwork, speed: NDArray[np.float64], chains: Chains, length: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the speed at which each chain takes as long as its parts [m/s]."""
+    starts = chains.first[:-1]
+    first = speed[chains.segments[starts]]
+    if not len(starts):
+        return first
+    time = np.add.reduceat((net.length_m / speed)[chains.segments], starts)
+    return np.divide(length, time, out=first.copy(), where=time > 0)
 
 
 def _where_values_change(net: RoadNetwork) -> NDArray[np.bool_]:

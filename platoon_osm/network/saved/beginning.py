@@ -3,5 +3,5 @@
 __all__ = ["FORMAT_VERSION", "MAGIC"]
 
 MAGIC = b"PLTNNET"
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 """Of the layout in `store`; the byte after the magic."""

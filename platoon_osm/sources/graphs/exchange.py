@@ -210,6 +210,8 @@ def from_networkx(graph: networkx.DiGraph[Any]) -> RoadNetwork:
         for column in columns_per("edge")
         if column.name not in {*ENDS, "length_m", "speed_mps"}
     }
+    if not any("posted_mps" in row for row in data):
+        del columns["posted_mps"]
     report = LoadReport({"nodes read": len(nodes), "edges read": len(edges)})
     if defaulted := speeds.count(None):
         report = report.extended({"speed defaulted to 80 km/h": defaulted})
