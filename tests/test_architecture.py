@@ -39,7 +39,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 NAMES = [str(path.relative_to(PACKAGE)) for path in MODULES]
 HEAVY = (
     "numpy", "scipy", "networkx", "geopandas", "folium", "osmium", "osmnx", "shapely", "rich",
-    "numba", "matplotlib", "pyarrow", "babel",
+    "numba", "matplotlib", "pyarrow", "babel", "holidays", "opening_hours",
 )  # fmt: skip
 FRONT_DOOR = {"platoon_osm", "platoon_osm._version"}
 """The front door names everything and loads it when first used; the version is a number."""
