@@ -31,6 +31,8 @@ class BundledMap:
         One line for `platoon-osm maps`.
     attribution, licence : str
         To be shown with everything made from it.
+    infer_links : bool
+        Whether it lacks its ramps, so that likely connectors are always added.
     """
 
     name: str
@@ -39,6 +41,7 @@ class BundledMap:
     about: str
     attribution: str
     licence: str
+    infer_links: bool = False
 
 
 BUNDLED_MAPS: Registry[BundledMap] = Registry(
@@ -53,6 +56,18 @@ BUNDLED_MAPS: Registry[BundledMap] = Registry(
             ),
             attribution="map: platoon_osm, compiled by hand from public facts",
             licence="MIT",
+        ),
+        BundledMap(
+            name="california-corridor",
+            file="california-corridor.osm.pbf",
+            country="US-CA",
+            about=(
+                "motorways of California from San Diego to Redding, cut from OpenStreetMap; ramps "
+                "inferred"
+            ),
+            attribution="© OpenStreetMap contributors",
+            licence="ODbL 1.0",
+            infer_links=True,
         ),
     ),
 )

@@ -50,7 +50,8 @@ def load_network(
         What the trucks' speed limiter allows [km/h].
     infer_links : bool
         Whether to add likely connectors where carriageways meet without a common node, as in
-        extracts cut to `highway=motorway`; they are marked `inferred`.
+        extracts cut to `highway=motorway`; they are marked `inferred`. A bundled map that lacks
+        its ramps always has them added.
 
     Returns
     -------
@@ -75,7 +76,9 @@ def load_network(
     if not isinstance(infer_links, bool | np.bool_):
         raise ScenarioError(f"infer_links = {_shown(infer_links)} must be True or False")
     net = _read(source, tuple(classes), country, limiter_kmh)
-    if infer_links and not net.inferred.any():
+    bundled = BUNDLED_MAPS.get(source) if isinstance(source, str) else None
+    lacks_ramps = infer_links or (bundled is not None and bundled.infer_links)
+    if lacks_ramps and not net.inferred.any():
         from ..network.preparing.inferred_links import infer_links as add_links
 
         net = add_links(net)

@@ -102,5 +102,5 @@ def test_a_map_of_ones_own_has_a_name(tmp_path, monkeypatch):
     net = load_network("ours")
     assert (net.source.name, net.source.attribution, net.source.licence) == ("ours", "us", "none")
     assert any("the truck limit of FR" in remark for remark in net.report().remarks)
-    with pytest.raises(MapDataError, match=r"nowhere.*\(italy-motorways, ours\)"):
+    with pytest.raises(MapDataError, match=r"nowhere.*\(italy-motorways, .*corridor, ours\)"):
         load_network(Path("nowhere"))

@@ -1,4 +1,4 @@
-"""`platoon-osm demo`: a corridor in northern Italy, planned in every case and drawn."""
+"""`platoon-osm demo`: a corridor on a bundled map, planned and drawn."""
 
 from __future__ import annotations
 
@@ -15,8 +15,11 @@ from ..progress import steps
 
 __all__ = ["verb"]
 
-SCENARIOS = ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c")
-"""Case C comes last: its map is the one that is written."""
+SCENARIOS = {
+    "italy-motorways": ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c"),
+    "california-corridor": ("san-diego-to-redding",),
+}
+"""By map. Case C comes last: its plan is the one that is written."""
 
 
 @click.command("demo", short_help="plan cases A to D on the bundled map and draw them")
@@ -24,9 +27,16 @@ SCENARIOS = ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c")
     "-o", "--output", type=output_kind("-o", holds=("demo.html", "demo.gpkg")), metavar="FOLDER",
     default="out", help="Folder to write into.",
 )  # fmt: skip
+@click.option(
+    "--map", "network", type=click.Choice(tuple(SCENARIOS)), default="italy-motorways",
+    help="Bundled map to plan on; that of Italy if not given.",
+)  # fmt: skip
 @language_options
-def verb(output: Output) -> None:
+def verb(output: Output, network: str) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
+
+    With --map california-corridor: three trucks up the I 5 in case C, on a true extract of
+    OpenStreetMap.
 
     Writes demo.html, a page to open in any browser, and demo.gpkg, for a GIS; both show case C.
     """
@@ -39,11 +49,12 @@ def verb(output: Output) -> None:
     files = {name: output.path / f"demo{EXPORTERS[name].suffix}" for name in ("html", "gpkg")}
     if output.path.is_dir():
         check_outputs([Output("-o", file) for file in files.values()])
-    with steps(2 + len(SCENARIOS)) as begin:
-        begin("loading italy-motorways")
-        net = load_network("italy-motorways")
+    names = SCENARIOS[network]
+    with steps(2 + len(names)) as begin:
+        begin(f"loading {network}")
+        net = load_network(network)
         plans = []
-        for name in SCENARIOS:
+        for name in names:
             with resources.as_file(folder / f"{name}.toml") as path:
                 scenario = read_scenario(path)
             begin(f"planning {scenario.title}")
