@@ -23,6 +23,7 @@ WALLS = {
     "sources": ("graphs", "osm", "overpass"),
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
+    "driving": ("bans",),
     "planning": ("timing", "company", "scenario"),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",

@@ -1,0 +1,1 @@
+"""Driving bans of countries for heavy goods vehicles: weekends, holidays, nights and summers."""
