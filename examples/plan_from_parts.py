@@ -9,16 +9,17 @@ import sys
 from dataclasses import replace
 
 import platoon_osm as po
-from platoon_osm.costs.placed_weights import placed_weights
 from platoon_osm.planning.answers import improved, of_star
 from platoon_osm.planning.best import best_answer
 from platoon_osm.planning.company.platoons import platoons_of
 from platoon_osm.planning.ends import located, resolve_trips
+from platoon_osm.planning.fleet_of import fleet_of
 from platoon_osm.planning.place_remarks import with_place_remarks
 from platoon_osm.planning.places import placed
 from platoon_osm.planning.problem import Problem
 from platoon_osm.planning.question import Question
 from platoon_osm.planning.reasons import reasons_alone
+from platoon_osm.planning.road_closures import closed_roads
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.planning.writing import written_plan
 from platoon_osm.search.trees import Trees
@@ -31,21 +32,23 @@ def plan_from_parts(problem):
     locations = located(problem.net, problem.trips)
     places = placed(problem.net, locations)
     net = places.net
+
+    # 2. What every edge costs each vehicle, alone and in a platoon, and which it may not drive: the
+    #    objective says the one, the vehicle and the map the other.
+    fleet = fleet_of(problem, places, closed_roads(problem.net, problem.close))
     problem = replace(problem, net=net)
 
-    # 2. What every edge costs, alone and in a platoon: the objective says.
-    weights = placed_weights(problem.objective, net, "plan")
-
-    # 3. One engine for the solo weight, kept with the network, and the searches of this plan, each
-    #    of which is made once.
-    engine = net.attached(po.Searches).under(weights.solo, expected=20)
+    # 3. One engine for the weight alone, kept with the network, and the searches of this plan, each
+    #    of which is made once; these vehicles are alike, so they share them.
+    engine = net.attached(po.Searches).under(fleet.alone(0), expected=20)
     trees = Trees(engine)
+    shared = [trees] * len(fleet)
 
     # 4. From places to nodes: of all carriageways and ramps near a place the pair that suits.
-    ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
+    ends = resolve_trips(net, fleet, shared, problem.trips, places.ends)
 
     # 5. Routes alone, what it costs to join each of them, and how far company may move anybody.
-    question = Question(problem, weights, tuple(ends), trees)
+    question = Question(problem, fleet, tuple(ends), shared)
 
     # 6. Every vehicle as master: where members merge and separate, then whoever drives side by side
     #    elsewhere, then each in turn around the others.
@@ -65,7 +68,7 @@ def plan_from_parts(problem):
     # 8. Write it down: who drives what with whom becomes stretches and ways, each with its shares.
     runs = answer.draft.runs()
     plan = written_plan(
-        problem, weights, ends, question.alone, runs,
+        problem, fleet, ends, question.alone, runs,
         platoons_of(runs, answer.master, answer.case), reasons_alone(question, answer),
         answer.case, best.proof,
     )  # fmt: skip

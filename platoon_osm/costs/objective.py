@@ -134,7 +134,9 @@ def check_objective(given: object, where: str, methods: tuple[str, ...]) -> None
         )
 
 
-def edge_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: str) -> EdgeWeights:
+def edge_weights(
+    objective: Objective | EdgeWeights, net: RoadNetwork, where: str, vehicle: object = None
+) -> EdgeWeights:
     """Return the weights that an objective gives a network, once it is sure that they are that.
 
     Parameters
@@ -145,6 +147,8 @@ def edge_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: st
         The network they are to be used on.
     where : str
         Who asks, for the message.
+    vehicle : object
+        Who drives; None for the standard vehicle.
 
     Returns
     -------
@@ -157,7 +161,7 @@ def edge_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: st
         No objective, one whose weights are none, or weights of another network.
     """
     check_objective(objective, where, ("weights",))
-    weights = objective.weights(net)
+    weights = objective.weights(net) if vehicle is None else objective.weights(net, vehicle)
     if not isinstance(weights, EdgeWeights):
         raise ScenarioError(
             f"{where}: the weights of {brief(objective)} are a {type(weights).__name__}; its "

@@ -18,7 +18,9 @@ IN_COMPANY = ("platoon", "master", "middle", "last")
 """Weights of company: on a way beside the road nobody has any."""
 
 
-def placed_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: str) -> EdgeWeights:
+def placed_weights(
+    objective: Objective | EdgeWeights, net: RoadNetwork, where: str, vehicle: object = None
+) -> EdgeWeights:
     """Return what edges cost on a network that may have places between its junctions.
 
     An objective is asked for all of them. Weights that were made for the network below are carried
@@ -33,6 +35,8 @@ def placed_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: 
         The network they are to be used on.
     where : str
         Who asks, for messages.
+    vehicle : object
+        Who drives; None for the standard vehicle.
 
     Returns
     -------
@@ -45,17 +49,17 @@ def placed_weights(objective: Objective | EdgeWeights, net: RoadNetwork, where: 
         As `edge_weights`.
     """
     if not isinstance(net, PlacedNetwork) or net.below is None:
-        return edge_weights(objective, net, where)
+        return edge_weights(objective, net, where, vehicle)
     way = net.below_edge < 0
     if not isinstance(objective, EdgeWeights):
-        found = edge_weights(objective, net, where)
+        found = edge_weights(objective, net, where, vehicle)
         alone: dict[str, Any] = {
             name: np.where(way, found.solo, own)
             for name in IN_COMPANY
             if (own := getattr(found, name)) is not None
         }
         return replace(found, **alone)
-    own = edge_weights(objective, net.below, where)
+    own = edge_weights(objective, net.below, where, vehicle)
     share = net.ends - net.begins
     beside = np.zeros(net.m)
     for edge in np.flatnonzero(way).tolist():

@@ -136,6 +136,27 @@ class EdgeWeights:
             )
         return self
 
+    def same(self, other: EdgeWeights) -> bool:
+        """Tell whether others cost exactly the same, edge by edge.
+
+        Parameters
+        ----------
+        other : EdgeWeights
+            Of the same network.
+
+        Returns
+        -------
+        bool
+            Whether nobody could tell them apart.
+        """
+        return all(
+            np.array_equal(own, theirs)
+            if isinstance(own := getattr(self, name), np.ndarray)
+            and isinstance(theirs := getattr(other, name), np.ndarray)
+            else own is getattr(other, name) or own == getattr(other, name)
+            for name in self.__slots__
+        )
+
     def waiting(self, seconds: float) -> float:
         """Return what waiting costs under bare weights: nothing.
 

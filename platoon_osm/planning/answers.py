@@ -12,6 +12,7 @@ from .cases import MemberPlans
 from .company.draft import Draft, Floats, Order
 from .company.side_by_side import side_by_side
 from .company.turns import improved_in_turns
+from .fleet import Fleet
 from .pair import plan_pair
 from .question import Question
 from .star import Star, StarChoice
@@ -68,7 +69,7 @@ def alone(question: Question, master: int) -> Answer:
     draft = Draft.alone(question.alone)
     case = question.problem.case
     free = "C" if case == "best" else case
-    return Answer(draft, draft.costs(question.weights), free, master, None)
+    return Answer(draft, draft.costs(question.fleet), free, master, None)
 
 
 def of_star(question: Question, star: Star, choices: list[StarChoice]) -> Answer | None:
@@ -106,7 +107,7 @@ def of_star(question: Question, star: Star, choices: list[StarChoice]) -> Answer
 
 def _starred(question: Question, star: Star, case: str, points: MemberPlans) -> Answer:
     draft = Draft.of(star.routes(points))
-    return Answer(draft, draft.costs(question.weights), case, star.master, None)
+    return Answer(draft, draft.costs(question.fleet), case, star.master, None)
 
 
 def _timed(question: Question, star: Star, choice: StarChoice) -> Answer | None:
@@ -114,20 +115,21 @@ def _timed(question: Question, star: Star, choice: StarChoice) -> Answer | None:
     windows = question.windows
     assert windows is not None
     entry, leave, solo = star.costs
-    drive_s = question.drive_s
-    members = [question.ends[k] for k in star.members]
 
-    def way_s(start: int, end: int) -> float:
-        return float(drive_s[question.router.route(start, end)].sum())
+    def way_s(member: int, start: int, end: int) -> float:
+        return question.fleet.route_s((member,), question.routers[member].route(start, end))
 
     approach, onward = np.full(entry.shape, np.inf), np.full(entry.shape, np.inf)
-    for row, own in enumerate(members):
+    for row, member in enumerate(star.members):
+        own = question.ends[member]
         for place, node in enumerate(star.nodes.tolist()):
             # Dearer than alone to get there at all, even if everything shared were free: never.
             if entry[row, place] <= solo[row]:
-                approach[row, place] = way_s(own.origin, node)
+                approach[row, place] = way_s(member, own.origin, node)
             if leave[row, place] <= solo[row]:
-                onward[row, place] = way_s(node, own.destination)
+                onward[row, place] = way_s(member, node, own.destination)
+    # A platoon drives as the slowest: whoever joins, that of all is slow enough.
+    drive_s = question.fleet.drive_s(range(len(question.ends)))
     route_s = np.concatenate([[0.0], np.cumsum(drive_s[star.route])])
     points = OpenPoints.of(
         windows[star.master], [windows[k] for k in star.members], route_s, approach, onward
@@ -166,14 +168,16 @@ def of_pair(question: Question, first: int) -> Iterator[Answer]:
         The same routes with one leader, then with the other; once if they stay apart.
     """
     own, other = question.ends[first], question.ends[1 - first]
+    fleet = question.fleet
     pair = plan_pair(
-        question.net, question.weights,
+        question.net, fleet[first],
         (own.origin, other.origin), (own.destination, other.destination),
-        trees=question.trees,
+        trees=(question.trees[first], question.trees[1 - first]), pair_weight=_together(fleet),
+        engine=question.problem.engine, alike=fleet[0] is fleet[1],
     )  # fmt: skip
     if not len(pair.shared):
         draft = Draft.alone(question.alone)
-        yield Answer(draft, draft.costs(question.weights), "D", None, pair.cost)
+        yield Answer(draft, draft.costs(question.fleet), "D", None, pair.cost)
         return
     for order in ((first, 1 - first), (1 - first, first)):
         ways = [
@@ -185,7 +189,13 @@ def of_pair(question: Question, first: int) -> Iterator[Answer]:
             for k, index in enumerate((first, 1 - first))
         ]
         draft = Draft.of(ways if first == 0 else ways[::-1])
-        yield Answer(draft, draft.costs(question.weights), "D", None, pair.cost)
+        yield Answer(draft, draft.costs(question.fleet), "D", None, pair.cost)
+
+
+def _together(fleet: Fleet) -> Floats:
+    """Return what two vehicles pay together, whoever of them leads for less; inf where barred."""
+    pair = np.minimum(fleet[0].master + fleet[1].platoon, fleet[1].master + fleet[0].platoon)
+    return fleet.barred(0, fleet.barred(1, pair))
 
 
 def improved(question: Question, answer: Answer) -> Answer:
@@ -208,16 +218,14 @@ def improved(question: Question, answer: Answer) -> Answer:
         # In A and B as they are asked for, who drives beside the platoon may not be able to stay.
         return answer
     order = Order(question.lengths_m, answer.master)
-    draft = side_by_side(
-        answer.draft, question.weights, order, problem.max_platoon, question.allows
-    )
+    draft = side_by_side(answer.draft, question.fleet, order, problem.max_platoon, question.allows)
     # A master that the problem names keeps its route.
     movable = set(range(len(question.ends))) - {question.fixed_master}
     draft = improved_in_turns(
-        question.net, draft, question.weights, order, problem.max_platoon, question.allows,
+        question.net, draft, question.fleet, order, problem.max_platoon, question.allows,
         movable, question.node_pairs,
     )  # fmt: skip
     if draft is answer.draft:
         return answer
     case = "C" if problem.case == "best" else answer.case
-    return Answer(draft, draft.costs(question.weights), case, answer.master, None)
+    return Answer(draft, draft.costs(question.fleet), case, answer.master, None)

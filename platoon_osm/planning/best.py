@@ -96,7 +96,7 @@ def _masters(tried: Tried) -> tuple[MasterTried, ...]:
 
 def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
     any_plan = least_total(
-        question.net, question.weights, question.node_pairs, question.solo, best.cost
+        question.net, question.fleet, question.node_pairs, question.solo, best.cost
     )
     free = question.problem.objective.waiting(3600.0) == 0
     conditions = (WAITING_FREE,) if free else ()

@@ -7,15 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..costs.weights import EdgeWeights
 from ..errors import NoRouteError, PlatoonError, ScenarioError
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.locate import locate
 from ..network.location import Location, Place, Role
 from ..network.road_network import RoadNetwork
 from ..plans.trip import Trip
+from ..search.changing_weights import ChangingWeights
 from ..search.trees import Trees
 from ..sources.spellings import CLASSES, INFER_LINKS
+from .fleet import Fleet
 from .places import PlacedEnd, placed
 
 __all__ = ["TripEnds", "located", "resolve_trips"]
@@ -99,8 +100,8 @@ def _located(net: RoadNetwork, trip: Trip, end: Role, access: Access) -> Locatio
 
 def resolve_trips(
     net: RoadNetwork,
-    weights: EdgeWeights,
-    trees: Trees,
+    fleet: Fleet,
+    trees: Sequence[Trees],
     trips: Sequence[Trip],
     places: Sequence[tuple[PlacedEnd, PlacedEnd]] | None = None,
 ) -> list[TripEnds]:
@@ -110,10 +111,10 @@ def resolve_trips(
     ----------
     net : RoadNetwork
         The network.
-    weights : EdgeWeights
-        What edges cost.
-    trees : Trees
-        Searches under the solo weight.
+    fleet : Fleet
+        What edges cost each vehicle.
+    trees : sequence of Trees, (N,)
+        Each one's searches alone.
     trips : sequence of Trip, (N,)
         Who goes where.
     places : sequence of tuple of PlacedEnd, (N, 2), optional
@@ -133,7 +134,10 @@ def resolve_trips(
         A trip without any route.
     """
     length = float(net.length_m.sum())
-    per_metre = ACCESS_DETOUR * float(weights.solo.sum()) / length if length else 0.0
+    per_metre = [
+        ACCESS_DETOUR * float(fleet[k].solo.sum()) / length if length else 0.0
+        for k in range(len(fleet))
+    ]
     if places is None:
         found = placed(net, located(net, trips))
         if found.net is not net:
@@ -143,12 +147,15 @@ def resolve_trips(
             )
         places = found.ends
     return [
-        _resolve(net, trees, trip, own, per_metre) for trip, own in zip(trips, places, strict=True)
+        _resolve(net, fleet, index, *found)
+        for index, found in enumerate(zip(trees, trips, places, per_metre, strict=True))
     ]
 
 
 def _resolve(
     net: RoadNetwork,
+    fleet: Fleet,
+    index: int,
     trees: Trees,
     trip: Trip,
     places: tuple[PlacedEnd, PlacedEnd],
@@ -172,6 +179,12 @@ def _resolve(
     )
     if not np.isfinite(total).any():
         links = "" if net.inferred.any() else f", or add connectors ({INFER_LINKS})"
+        barred = _barred(net, fleet, index, starts, ends)
+        if barred:
+            raise NoRouteError(
+                f"trip {trip.vehicle!r}: no route from {start.name} to {end.name} for this "
+                f"vehicle: {barred}; give another profile or other places"
+            )
         raise NoRouteError(
             f"trip {trip.vehicle!r}: no route from {start.name} to {end.name} in "
             f"{net.source.name}; choose other places, load more roads ({CLASSES}){links}"
@@ -180,3 +193,17 @@ def _resolve(
     return TripEnds(
         trip.vehicle, starts[i], ends[j], start.same, end.same, start.name, end.name
     )  # fmt: skip
+
+
+def _barred(
+    net: RoadNetwork, fleet: Fleet, vehicle: int, starts: Sequence[int], ends: Sequence[int]
+) -> str:
+    """Return what is closed on the way that a vehicle would take if nothing were; or nothing."""
+    searches = net.attached(ChangingWeights)
+    for start in starts:
+        searched = searches.search(fleet[vehicle].solo, start)
+        others = [node for node in ends if node != start]
+        end = min(others, key=searched.dist.__getitem__, default=-1)
+        if end >= 0 and np.isfinite(searched.dist[end]):
+            return fleet.why_closed(vehicle, searched.path(end))
+    return ""

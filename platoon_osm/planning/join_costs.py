@@ -12,6 +12,7 @@ from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from .cases import Floats, route_nodes
 from .ends import TripEnds
+from .fleet import Fleet
 from .routers import Router
 
 __all__ = ["JoinCosts", "road_of"]
@@ -51,8 +52,10 @@ class JoinCosts:
         Where vehicles go.
     routes : sequence of ndarray of int, (N, ...)
         Of each vehicle's route alone what is road, as from `road_of`.
-    router : Router
-        How vehicles get to a route and from it.
+    routers : sequence of Router, (N,)
+        How each vehicle gets to a route and from it.
+    fleet : Fleet
+        Which vehicles are alike.
 
     Attributes
     ----------
@@ -65,9 +68,10 @@ class JoinCosts:
         net: RoadNetwork,
         ends: Sequence[TripEnds],
         routes: Sequence[Index],
-        router: Router,
+        routers: Sequence[Router],
+        fleet: Fleet,
     ) -> None:
-        self._router = router
+        self._routers, self._fleet = routers, fleet
         self._origins = np.array([item.origin for item in ends], np.int64)
         self._destinations = np.array([item.destination for item in ends], np.int64)
         self.nodes = [
@@ -75,7 +79,7 @@ class JoinCosts:
         ]
         self.solo = np.array(
             [
-                router.table(self._origins[k : k + 1], self._destinations[k : k + 1])[0, 0]
+                routers[k].table(self._origins[k : k + 1], self._destinations[k : k + 1])[0, 0]
                 for k in range(len(ends))
             ],
             np.float64,
@@ -110,16 +114,21 @@ class JoinCosts:
         nodes = self.nodes[master]
         if not self.at_once or len(self.nodes) < 3:
             # Two vehicles ask for one route each; there is nothing to share.
-            entry = self._router.table(self._origins[some], nodes)
-            leave = self._router.table(nodes, self._destinations[some]).T
-            return entry, leave, self.solo[some]
+            return *self._between(some, nodes), self.solo[some]
         if self._known is None:
             every = np.unique(np.concatenate(self.nodes))
-            self._known = (
-                every,
-                self._router.table(self._origins, every),
-                np.ascontiguousarray(self._router.table(every, self._destinations).T),
-            )
+            self._known = every, *self._between(np.arange(len(self._origins)), every)
         every, entry, leave = self._known
         columns = np.searchsorted(every, nodes)
         return entry[np.ix_(some, columns)], leave[np.ix_(some, columns)], self.solo[some]
+
+    def _between(self, some: Index, nodes: Index) -> tuple[Floats, Floats]:
+        """Return what some vehicles (M,) pay from their origins to nodes (K,), and from there."""
+        entry, leave = np.empty((len(some), len(nodes))), np.empty((len(some), len(nodes)))
+        kind = np.array(self._fleet.kind)[some]
+        for one in np.unique(kind).tolist():
+            rows = np.flatnonzero(kind == one)
+            table = self._routers[int(some[rows[0]])].table
+            entry[rows] = table(self._origins[some[rows]], nodes)
+            leave[rows] = table(nodes, self._destinations[some[rows]]).T
+        return entry, leave

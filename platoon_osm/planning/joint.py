@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any
 
 from ..costs.objective import Objective
-from ..costs.placed_weights import placed_weights
 from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive
 from ..errors import ScenarioError, brief
@@ -26,12 +25,15 @@ from .best import best_answer
 from .company.draft import Draft
 from .company.platoons import platoons_of
 from .ends import located, resolve_trips
+from .fleet import Fleet
+from .fleet_of import fleet_of
 from .masters import choices_of
 from .place_remarks import with_place_remarks
-from .places import placed
+from .places import PlacedEnds, placed
 from .problem import Company, Optimum, Problem, check_choice
 from .question import Question
 from .reasons import reasons_alone
+from .road_closures import closed_roads
 from .routers import AstarRouter, Method
 from .star import Star
 from .timing.limits import PATIENCE_MIN
@@ -58,6 +60,8 @@ def plan_joint(
     company: Company = "anywhere",
     max_platoon: int | None = None,
     patience_min: float = PATIENCE_MIN,
+    profile: Any = None,
+    close: Iterable[Any] = (),
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
 
@@ -94,6 +98,11 @@ def plan_joint(
     patience_min : float
         By how many minutes company may move a vehicle that names no window. One with a window may
         be moved within it, and nobody who is in time alone is late for company.
+    profile : Vehicle or str or mapping, optional
+        The vehicle of every trip that names none: one of `VEHICLES`, as "eu-40t", or fields of
+        `Vehicle` by name. By default a truck of 40 t at whatever speed the network was loaded for.
+    close : iterable of str, int or (float, float)
+        Roads that count as closed: edge ids, "way 123456", points on them, road numbers.
 
     Returns
     -------
@@ -117,11 +126,12 @@ def plan_joint(
     check_choice("objective", objective, ("member", "system"))
     costs: Any = weights
     given: Any = trips
+    shut: Any = close
     return solve(
         Problem(
             net=net, trips=given, objective=costs, case=case, master=master, method=method,
             optimum=objective, engine=engine, access=access, company=company,
-            max_platoon=max_platoon, patience_min=patience_min,
+            max_platoon=max_platoon, patience_min=patience_min, profile=profile, close=shut,
         )
     )  # fmt: skip
 
@@ -151,18 +161,28 @@ def solve(problem: Problem) -> Plan:
     locations = located(problem.net, problem.trips, problem.access)
     places = placed(problem.net, locations, problem.access)
     net = places.net
-    weights = placed_weights(problem.objective, net, "plan")
+    fleet = fleet_of(problem, places, closed_roads(problem.net, problem.close))
     problem = replace(problem, net=net)
-    # A search for each candidate of the fewer, then one from each end of each trip.
-    expected = sum(min(len(end.nodes) for end in ends) + 2 for ends in places.ends)
-    trees = Trees(net.attached(Searches).under(weights.solo, expected, problem.engine))
-    ends = resolve_trips(net, weights, trees, problem.trips, places.ends)
-    question = Question(problem, weights, tuple(ends), trees)
+    trees = _trees(problem, fleet, places)
+    ends = resolve_trips(net, fleet, trees, problem.trips, places.ends)
+    question = Question(problem, fleet, tuple(ends), trees)
     exact = problem.method == "dijkstra"
     plan = _answered(question) if exact else _by_astar(question)
     plan = with_place_remarks(plan, net, locations)
     patience_s = problem.patience_min * 60.0 if exact else None
     return _with_rules(with_times(plan, problem.trips, patience_s), problem)
+
+
+def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:
+    """Return the searches of each vehicle; those alike share theirs."""
+    searches = problem.net.attached(Searches)
+    made: list[Trees] = []
+    for kind in fleet.kinds:
+        # A search for each candidate of the fewer, then one from each end of each trip.
+        ends = [places.ends[k] for k in kind]
+        expected = sum(min(len(end.nodes) for end in both) + 2 for both in ends)
+        made.append(Trees(searches.under(fleet.alone(kind[0]), expected, problem.engine)))
+    return [made[kind] for kind in fleet.kind]
 
 
 def _answered(question: Question) -> Plan:
@@ -186,7 +206,7 @@ def _written(
     remarks: tuple[str, ...] = (),
 ) -> Plan:
     plan = written_plan(
-        question.problem, question.weights, question.ends, question.alone, runs,
+        question.problem, question.fleet, question.ends, question.alone, runs,
         platoons_of(runs, master, case), reasons, case, proof,
     )  # fmt: skip
     return replace(plan, masters=masters, remarks=(*remarks, *plan.remarks))
@@ -194,13 +214,16 @@ def _written(
 
 def _by_astar(question: Question) -> Plan:
     """Return the plan of the paper's A*, beside the exact one of the same case and master."""
-    problem, weights, ends = question.problem, question.weights, question.ends
+    problem, fleet, ends = question.problem, question.fleet, question.ends
     master = question.first_master
     exact = question.star(master)
-    speed = float(weights.params.get("speed_kmh", ESTIMATED_KMH)) / 3.6
+    speed = float(fleet[master].params.get("speed_kmh", ESTIMATED_KMH)) / 3.6
     cost = float(question.solo[master])
-    router = AstarRouter(question.net, weights.solo, cost, speed, problem.method)
-    star = Star(question.net, weights, ends, master, router)
+    routers = [
+        AstarRouter(question.net, fleet.alone(kind[0]), cost, speed, problem.method)
+        for kind in fleet.kinds
+    ]
+    star = Star(question.net, fleet, ends, master, [routers[kind] for kind in fleet.kind])
     choice = choices_of(star, question.star_cases, problem.optimum)[0]
     compared = exact.choose(choice.case, problem.optimum)
     proof = Proof(
@@ -217,7 +240,7 @@ def _by_astar(question: Question) -> Plan:
     )
     runs = star.routes(choice.points)
     draft = Draft.of(runs)
-    answer = Answer(draft, draft.costs(weights), choice.case, master, None)
+    answer = Answer(draft, draft.costs(fleet), choice.case, master, None)
     question.alone = star.alone
     return _written(question, runs, choice.case, master, proof, reasons_alone(question, answer))
 

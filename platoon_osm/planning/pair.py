@@ -62,7 +62,9 @@ def plan_pair(
     origins: tuple[int, int],
     destinations: tuple[int, int],
     engine: EngineName = "auto",
-    trees: Trees | None = None,
+    trees: Trees | tuple[Trees, Trees] | None = None,
+    pair_weight: Floats | None = None,
+    alike: bool = True,
 ) -> PairPlan:
     """Plan two vehicles, the first leading where they drive together.
 
@@ -76,8 +78,14 @@ def plan_pair(
         Nodes of both vehicles.
     engine : {"auto", "reference", "hierarchy"}
         Which engine; "auto" is the one that is likely faster.
-    trees : Trees, optional
-        Searches under `weights.solo` that are known already; `engine` is then theirs.
+    trees : Trees or tuple of Trees, optional
+        Searches under `weights.solo` that are known already; `engine` is then theirs. Of unlike
+        vehicles those of each.
+    pair_weight : ndarray of float, (m,), optional
+        What both pay together on each edge, inf where one of them may not drive; by default what
+        master and member pay.
+    alike : bool
+        Whether both pay the same alone wherever both may drive.
 
     Returns
     -------
@@ -91,15 +99,23 @@ def plan_pair(
     """
     if trees is None:
         trees = Trees(engine_for(net, weights.solo, engine, 4))
-    u, v = trees.trees(origins), trees.trees(destinations, forward=False)
+    own = trees if isinstance(trees, tuple) else (trees, trees)
+    u, v = _of_both(own, origins, True), _of_both(own, destinations, False)
     solo_cost = float(u[0].dist[destinations[0]] + u[1].dist[destinations[1]])
     if not np.isfinite(solo_cost):
         for tree, node in zip(u, destinations, strict=True):
             tree.path(node)  # says which of them has no route
-    pair_weight = weights.master + weights.platoon
+    if pair_weight is None:
+        pair_weight = weights.master + weights.platoon
     slack = TIE * solo_cost
     there, onward = [tree.dist for tree in u], [tree.dist for tree in v]
-    together = trees.engine.shared_stretch(pair_weight, there, onward, solo_cost + slack, slack)
+    if alike:
+        together = own[0].engine.shared_stretch(
+            pair_weight, there, onward, solo_cost + slack, slack
+        )
+    else:
+        # The bound of that search takes both to pay the same alone.
+        together = engine_for(net, pair_weight, engine, 2).seeded(there[0] + there[1])
     near = np.flatnonzero(np.isfinite(together.dist))
     total = together.dist[near] + onward[0][near] + onward[1][near]
     least = float(total.min(initial=np.inf))
@@ -122,6 +138,15 @@ def plan_pair(
         shared=shared,
         after=(v[0].path(end), v[1].path(end)),
     )
+
+
+def _of_both(
+    trees: tuple[Trees, Trees], nodes: tuple[int, int], forward: bool
+) -> Sequence[LeastCosts]:
+    """Return the searches of both vehicles, in one go where they are alike."""
+    if trees[0] is trees[1]:
+        return trees[0].trees(nodes, forward)
+    return [tree.tree(node, forward) for tree, node in zip(trees, nodes, strict=True)]
 
 
 def _apart(there: Sequence[LeastCosts], destinations: tuple[int, int], cost: float) -> PairPlan:

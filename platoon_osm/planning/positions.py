@@ -10,37 +10,33 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..costs.weights import EdgeWeights
 from ..plans.proof import Proof
 from ..plans.records import Stretch
+from .fleet import Fleet
 
 __all__ = ["proved_by_position"]
 
 ANY_PLACES = "whatever the places in a company"
 
 
-def proved_by_position(
-    proof: Proof, weights: EdgeWeights, stretches: Sequence[Stretch], vehicles: int
-) -> Proof:
+def proved_by_position(proof: Proof, fleet: Fleet, stretches: Sequence[Stretch]) -> Proof:
     """Return what is proved of what vehicles really pay.
 
     Parameters
     ----------
     proof : Proof
         Of the costs that were planned with.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle.
     stretches : sequence of Stretch
         Of the plan, with what each vehicle really pays.
-    vehicles : int
-        How many there are.
 
     Returns
     -------
     Proof
         The same where places do not matter, or where nothing was proved.
     """
-    least = weights.least_by_position(vehicles)
+    least = fleet.least_by_position()
     if least == 1 or proof.bound is None:
         return proof
     cost = sum(share.cost for stretch in stretches for share in stretch.shares)

@@ -17,6 +17,7 @@ from ..network.road_network import RoadNetwork
 from ..plans.text_table import listed
 from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
+from ..vehicles.profile import Vehicle, vehicle_of
 from .cases import CASES
 from .master import LONGEST
 from .routers import Method
@@ -66,6 +67,11 @@ class Problem:
     patience_min : float
         By how many minutes company may move a vehicle that names no window; one with a window may
         be moved within it. Nobody who is in time alone is late for company.
+    profile : Vehicle or None
+        The vehicle of every trip that names none; a name of `VEHICLES` or a mapping will do. None
+        is `DEFAULT_VEHICLE` at whatever speed the network was loaded for.
+    close : tuple of str, int or (float, float)
+        Roads that count as closed; see `planning.road_closures`.
 
     Raises
     ------
@@ -86,6 +92,8 @@ class Problem:
     company: Company = "anywhere"
     max_platoon: int | None = None
     patience_min: float = PATIENCE_MIN
+    profile: Vehicle | None = None
+    close: tuple[Any, ...] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
@@ -109,6 +117,9 @@ class Problem:
             )
         if not isinstance(self.access, Access):
             raise ScenarioError(f"plan: access is a {kind_of(self.access)}; give an Access")
+        if self.profile is not None:
+            object.__setattr__(self, "profile", vehicle_of(self.profile, "profile"))
+        object.__setattr__(self, "close", _closed(self.close))
         names = [trip.vehicle for trip in self.trips]
         known = (*names, LONGEST)
         if self.master is not None and not (isinstance(self.master, str) and self.master in known):
@@ -144,6 +155,21 @@ class Problem:
             f"{brief(self.net.source.name)}, {self.method}, {self.optimum}>"
         )
 
+    def profile_of(self, trip: Trip) -> Vehicle | None:
+        """Return the vehicle of a trip.
+
+        Parameters
+        ----------
+        trip : Trip
+            One of the problem.
+
+        Returns
+        -------
+        Vehicle or None
+            Its own, or that of the problem; None if neither names one.
+        """
+        return self.profile if trip.profile is None else trip.profile
+
     @property
     def cases(self) -> tuple[str, ...]:
         """The cases to be planned; of equally good ones the earlier is simpler."""
@@ -172,6 +198,34 @@ def check_choice(label: str, value: object, allowed: tuple[str, ...]) -> None:
     """
     if not isinstance(value, str) or value not in allowed:
         raise ScenarioError(f"{label} {brief(value)} is unknown; use {', '.join(allowed)}")
+
+
+def _closed(given: Any) -> tuple[Any, ...]:
+    if isinstance(given, str | int) or is_point(given):
+        return (given,)
+    if isinstance(given, Mapping) or not isinstance(given, Iterable):
+        raise ScenarioError(f"close is a {kind_of(given)}; give a list of roads")
+    return tuple(given)
+
+
+def is_point(given: Any) -> bool:
+    """Tell a pair of coordinates from a list of roads.
+
+    Parameters
+    ----------
+    given : object
+        Anything.
+
+    Returns
+    -------
+    bool
+        Whether it is two numbers that are no edge ids.
+    """
+    return (
+        isinstance(given, tuple | list)
+        and len(given) == 2
+        and all(isinstance(part, float) for part in given)
+    )
 
 
 def _trips(given: Any) -> tuple[Trip, ...]:

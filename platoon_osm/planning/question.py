@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..costs.weights import EdgeWeights
 from ..plans.stretches import Run
 from ..search.trees import Trees
 from .company.draft import Draft
 from .ends import TripEnds
+from .fleet import Fleet
 from .join_costs import JoinCosts, road_of
 from .master import longest_first
 from .problem import Problem
@@ -36,12 +37,12 @@ class Question:
     ----------
     problem : Problem
         What is asked.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle, and where it may drive.
     ends : tuple of TripEnds, (N,)
         Where vehicles go.
-    trees : Trees
-        Searches under the solo weight.
+    trees : sequence of Trees, (N,)
+        Each one's searches alone; vehicles alike share theirs.
 
     Attributes
     ----------
@@ -52,18 +53,21 @@ class Question:
     """
 
     def __init__(
-        self, problem: Problem, weights: EdgeWeights, ends: tuple[TripEnds, ...], trees: Trees
+        self, problem: Problem, fleet: Fleet, ends: tuple[TripEnds, ...], trees: Sequence[Trees]
     ) -> None:
-        self.problem, self.weights, self.ends, self.trees = problem, weights, ends, trees
+        self.problem, self.fleet, self.ends, self.trees = problem, fleet, ends, trees
         self.net = problem.net
-        self.router = DijkstraRouter(trees)
-        self.alone = [self.router.route(item.origin, item.destination) for item in ends]
+        self.routers = [DijkstraRouter(own) for own in trees]
+        self.alone = [
+            router.route(item.origin, item.destination)
+            for router, item in zip(self.routers, ends, strict=True)
+        ]
         self.lengths_m = np.array([float(self.net.length_m[own].sum()) for own in self.alone])
 
     @cached_property
     def solo(self) -> Floats:
         """Cost of each vehicle alone, (N,)."""
-        return np.array([float(self.weights.solo[own].sum()) for own in self.alone])
+        return np.array([float(self.fleet[k].solo[own].sum()) for k, own in enumerate(self.alone)])
 
     @cached_property
     def node_pairs(self) -> list[tuple[int, int]]:
@@ -109,19 +113,14 @@ class Question:
             All others are its members.
         """
         return Star(
-            self.net, self.weights, self.ends, master, self.router, self.alone, self.join_costs
+            self.net, self.fleet, self.ends, master, self.routers, self.alone, self.join_costs
         )
 
     @cached_property
     def join_costs(self) -> JoinCosts:
         """What it costs to reach the routes of others."""
         roads = [road_of(self.net, own) for own in self.alone]
-        return JoinCosts(self.net, self.ends, roads, self.router)
-
-    @cached_property
-    def drive_s(self) -> Floats:
-        """Driving time of each edge [s], (m,)."""
-        return self.net.length_m / self.net.speed_mps
+        return JoinCosts(self.net, self.ends, roads, self.routers, self.fleet)
 
     @cached_property
     def windows(self) -> list[Window] | None:
@@ -129,14 +128,14 @@ class Question:
         first = first_named(self.problem.trips)
         if first is None:
             return None
-        alone_s = [float(self.drive_s[own].sum()) for own in self.alone]
+        alone_s = [self.fleet.route_s((k,), own) for k, own in enumerate(self.alone)]
         patience_s = self.problem.patience_min * 60.0
         _, allowed = windows_of(self.problem.trips, alone_s, patience_s, first)
         return allowed
 
     @cached_property
     def _in_time(self) -> InTime:
-        return InTime(self.drive_s, self.windows)
+        return InTime(self.fleet.route_s, self.windows)
 
     def in_time(self, draft: Draft) -> bool:
         """Tell whether a draft can be driven, each vehicle within its limits.
@@ -167,7 +166,7 @@ class Question:
         list of int
             Positions in the plan.
         """
-        paid = draft.costs(self.weights)
+        paid = draft.costs(self.fleet)
         return np.flatnonzero(paid > self.solo * (1 + NO_DEARER)).tolist()
 
     def allows(self, draft: Draft) -> bool:

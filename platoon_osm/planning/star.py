@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError
 from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.stretches import Run, runs_alone, runs_along
 from .cases import Floats, MemberPlans, choose_points, running_sum
 from .ends import TripEnds
+from .fleet import Fleet
 from .join_costs import JoinCosts, road_of
 from .problem import Optimum
 from .routers import Router
@@ -56,14 +56,14 @@ class Star:
     ----------
     net : RoadNetwork
         The network.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle, and where it may drive.
     ends : sequence of TripEnds, (N,)
         Where vehicles go.
     master : int
         The vehicle that keeps its route.
-    router : Router
-        How vehicles get to the route and from it.
+    routers : sequence of Router, (N,)
+        How each vehicle gets to the route and from it.
     alone : sequence of ndarray of int, (N,), optional
         The route of each vehicle alone, if it is known.
     costs : JoinCosts, optional
@@ -82,19 +82,22 @@ class Star:
     def __init__(
         self,
         net: RoadNetwork,
-        weights: EdgeWeights,
+        fleet: Fleet,
         ends: Sequence[TripEnds],
         master: int,
-        router: Router,
+        routers: Sequence[Router],
         alone: Sequence[Edges] | None = None,
         costs: JoinCosts | None = None,
     ) -> None:
-        self.net, self.weights, self.ends, self.master = net, weights, ends, master
-        self.router = router
-        known = alone or [router.route(item.origin, item.destination) for item in ends]
+        self.net, self.fleet, self.ends, self.master = net, fleet, ends, master
+        self.routers = routers
+        known = alone or [
+            router.route(item.origin, item.destination)
+            for router, item in zip(routers, ends, strict=True)
+        ]
         self.alone = list(known)
         self._shared = costs or JoinCosts(
-            net, ends, [road_of(net, own) for own in self.alone], router
+            net, ends, [road_of(net, own) for own in self.alone], routers, fleet
         )
         # A way beside the road is nobody's company: members join on the road, and leave there.
         whole = self.alone[master]
@@ -109,7 +112,7 @@ class Star:
     @property
     def solo_cost(self) -> float:
         """Cost of all routes alone."""
-        return sum(float(self.weights.solo[route].sum()) for route in self.alone)
+        return sum(float(self.fleet[k].solo[own].sum()) for k, own in enumerate(self.alone))
 
     @cached_property
     def costs(self) -> tuple[Floats, Floats, Floats]:
@@ -125,14 +128,31 @@ class Star:
     def bound(self) -> float:
         """No case, and no choice of points, costs less in all; quicker than choosing them."""
         entry, leave, solo = self.costs
-        alone = float(self.weights.solo[self.alone[self.master]].sum())
+        alone = self._master_alone
         if not self.members or not len(self.route):
             return alone + float(solo.sum())
-        platoon = running_sum(self.weights.platoon[self.route])
-        lead = np.minimum.accumulate(entry - platoon, axis=1)
-        least = (lead[:, :-1] + platoon[1:] + leave[:, 1:]).min(axis=1)
-        gain = np.maximum(self.weights.solo - self.weights.master, 0.0)[self.route]
-        return float(np.minimum(least, solo).sum()) + alone - float(gain.sum())
+        least = solo.copy()
+        for rows in self._alike(np.arange(len(self.members))):
+            platoon = running_sum(self.fleet[self.members[rows[0]]].platoon[self.route])
+            lead = np.minimum.accumulate(entry[rows] - platoon, axis=1)
+            joined = (lead[:, :-1] + platoon[1:] + leave[rows, 1:]).min(axis=1)
+            least[rows] = np.minimum(joined, solo[rows])
+        return float(least.sum()) + alone - float(np.maximum(self._gain, 0.0).sum())
+
+    @property
+    def _master_alone(self) -> float:
+        return float(self.fleet[self.master].solo[self.alone[self.master]].sum())
+
+    @property
+    def _gain(self) -> Floats:
+        """What the master saves on each edge of its route if it has company there, (K,)."""
+        weights = self.fleet[self.master]
+        return (weights.solo - weights.master)[self.route]
+
+    def _alike(self, rows: Edges) -> list[Edges]:
+        """Return members by their kind, as positions in `rows`."""
+        kind = np.array([self.fleet.kind[self.members[k]] for k in rows.tolist()], np.int64)
+        return [np.flatnonzero(kind == one) for one in np.unique(kind)]
 
     def choose(
         self, case: Any, optimum: Optimum, costs: tuple[Floats, Floats, Floats] | None = None
@@ -160,8 +180,7 @@ class Star:
         """
         everyone = np.arange(len(self.members))
         known = costs or self.costs
-        gain = (self.weights.solo - self.weights.master)[self.route]
-        alone = float(self.weights.solo[self.alone[self.master]].sum())
+        gain, alone = self._gain, self._master_alone
         if optimum == "member" or not self.members:
             points = self._points(case, None, everyone, known)
             met = _covered(points, len(self.route)).any(axis=0)
@@ -183,11 +202,41 @@ class Star:
         entry, leave, solo = costs
         if not len(self.route):
             return _apart(solo[rows])
+        if not len(rows):
+            return _apart(solo[rows])
+        groups = self._alike(rows)
+        found = [
+            self._alike_points(
+                case, None if gain is None else gain[at], rows[at],
+                (entry[rows[at]], leave[rows[at]], solo[rows[at]]),
+            )
+            for at in groups
+        ]  # fmt: skip
+        if len(found) == 1:
+            return found[0]
+        back = np.argsort(np.concatenate([np.zeros(0, np.int64), *groups]))
+        return MemberPlans(
+            *(
+                np.concatenate([getattr(one, name) for one in found])[back]
+                for name in MemberPlans.__slots__
+            )
+        )
+
+    def _alike_points(
+        self, case: Any, gain: Floats | None, rows: Edges, costs: tuple[Floats, Floats, Floats]
+    ) -> MemberPlans:
+        """Choose points of members that are alike; where a road is closed to them, none pass."""
         some = [self.ends[self.members[k]] for k in rows]
+        kind = self.members[rows[0]]
+        closed = self.fleet.closed_on(kind, self.route)
+        if closed is not None:
+            # Dearer than driving alone at once, yet of its size, so that no digit is lost.
+            bar = np.where(closed, 2 * costs[2][:, None] + 1.0, 0.0)
+            gain = -bar if gain is None else gain - bar
         return choose_points(
-            self.net, self.weights, self.route, self._origins[rows], self._destinations[rows],
-            case, (entry[rows], leave[rows], solo[rows]),
-            [item.origins for item in some], [item.destinations for item in some], gain,
+            self.net, self.fleet[kind], self.route, self._origins[rows], self._destinations[rows],
+            case, costs, [item.origins for item in some], [item.destinations for item in some],
+            gain,
         )  # fmt: skip
 
     def within(
@@ -223,7 +272,7 @@ class Star:
             return points
         users = np.zeros(len(self.route), np.int64)
         columns = {name: getattr(points, name).copy() for name in MemberPlans.__slots__}
-        forbidding = -2.0 * float(self.weights.solo.sum() + points.solo_cost.sum())
+        forbidding = -2.0 * float(self.fleet[self.master].solo.sum() + points.solo_cost.sum())
         for member in np.argsort(points.cost - points.solo_cost, kind="stable").tolist():
             if there[member].any() and (users[there[member]] >= most - 1).any():
                 room = np.where(users >= most - 1, forbidding, 0.0)
@@ -262,8 +311,9 @@ class Star:
         ]
         for index, i, j in joined:
             own = self.ends[index]
-            before = self.router.route(own.origin, int(self.nodes[i]))
-            after = self.router.route(int(self.nodes[j]), own.destination)
+            router = self.routers[index]
+            before = router.route(own.origin, int(self.nodes[i]))
+            after = router.route(int(self.nodes[j]), own.destination)
             routes[index] = [
                 *runs_alone(before, index),
                 *runs_along(self.route[i:j], companies[i:j]),

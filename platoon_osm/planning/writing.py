@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._version import __version__
-from ..costs.weights import EdgeWeights
 from ..network.nearest_road import is_closed
 from ..network.placed import PlacedNetwork, access_of, is_beside, network_below, whole_edges
 from ..network.road_network import RoadNetwork
@@ -28,6 +27,7 @@ from ..plans.records import (
 )
 from ..plans.stretches import Run, runs_along, stretched
 from .ends import TripEnds
+from .fleet import Fleet
 from .positions import proved_by_position
 from .problem import Problem
 
@@ -59,7 +59,7 @@ def identity_of(net: RoadNetwork) -> NetworkIdentity:
 
 def written_plan(
     problem: Problem,
-    weights: EdgeWeights,
+    fleet: Fleet,
     ends: Sequence[TripEnds],
     alone: Sequence[Edges],
     routes: Sequence[Sequence[Run]],
@@ -74,8 +74,8 @@ def written_plan(
     ----------
     problem : Problem
         What was asked.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle, and how fast it is.
     ends : sequence of TripEnds, (N,)
         Where vehicles go.
     alone : sequence of ndarray of int, (N, ...)
@@ -98,7 +98,7 @@ def written_plan(
     """
     net = problem.net
     runs, ways = stretched([_access_apart(net, index, own) for index, own in enumerate(routes)])
-    stretches = tuple(_stretch(net, weights, run) for run in runs)
+    stretches = tuple(_stretch(net, fleet, run) for run in runs)
     names = _place_names(net, ends)
 
     def point_at(index: int, kind: str, stretch: int) -> PlatoonPoint:
@@ -113,8 +113,8 @@ def written_plan(
         )  # fmt: skip
 
     trips = tuple(
-        _trip(net, weights, own, route, reason)
-        for own, route, reason in zip(ends, alone, reasons, strict=True)
+        _trip(net, fleet, index, ends[index], route, reason)
+        for index, (route, reason) in enumerate(zip(alone, reasons, strict=True))
     )
     return Plan(
         trips=trips,
@@ -126,10 +126,10 @@ def written_plan(
         asked=problem.case,
         objective="system" if case == "D" else problem.optimum,
         method="dijkstra" if case == "D" else problem.method,
-        unit=weights.unit,
-        params=dict(weights.params),
+        unit=fleet[0].unit,
+        params=dict(fleet[0].params),
         network=identity_of(net),
-        proof=proved_by_position(proof, weights, stretches, len(trips)),
+        proof=proved_by_position(proof, fleet, stretches),
         remarks=(*_inferred(net, trips, runs, ways), *_between_junctions(net, trips, runs, ways)),
         version=__version__,
     )
@@ -168,7 +168,7 @@ def _place_names(net: RoadNetwork, ends: Sequence[TripEnds]) -> dict[int, str]:
     return names
 
 
-def _stretch(net: RoadNetwork, weights: EdgeWeights, run: Run) -> Stretch:
+def _stretch(net: RoadNetwork, fleet: Fleet, run: Run) -> Stretch:
     edges = np.asarray(run.edges, np.int64)
     length = net.length_m[edges]
     length_m = float(length.sum())
@@ -179,8 +179,10 @@ def _stretch(net: RoadNetwork, weights: EdgeWeights, run: Run) -> Stretch:
         edges=below,
         vehicles=run.company,
         length_m=length_m,
-        drive_s=float((length / net.speed_mps[edges]).sum()),
-        shares=tuple(weights.share(edges, length_m, place, size) for place in range(size)),
+        drive_s=fleet.route_s(run.company, edges),
+        shares=tuple(
+            fleet[one].share(edges, length_m, place, size) for place, one in enumerate(run.company)
+        ),
         inferred_m=float(length[net.inferred[edges]].sum()),
         span=span,
         access=_line(net, run.edges[0]) if way else None,
@@ -202,12 +204,12 @@ def _line(net: RoadNetwork, edge: int) -> Line:
 
 
 def _trip(
-    net: RoadNetwork, weights: EdgeWeights, ends: TripEnds, alone: Edges, reason: str
+    net: RoadNetwork, fleet: Fleet, index: int, ends: TripEnds, alone: Edges, reason: str
 ) -> PlannedTrip:
     edges = np.asarray(alone, np.int64)
     length = net.length_m[edges]
     length_m = float(length.sum())
-    share = weights.share(edges, length_m, 0, 1)
+    share = fleet[index].share(edges, length_m, 0, 1)
     ways = access_of(net, edges)
     road = edges[~ways]
     below, span = whole_edges(net, road) if len(road) else ((), WHOLE)
@@ -221,7 +223,7 @@ def _trip(
         SoloRoute(
             below,
             length_m,
-            float((length / net.speed_mps[edges]).sum()),
+            fleet.route_s((index,), edges),
             share.fuel_l,
             share.cost,
             float(length[net.inferred[edges]].sum()),

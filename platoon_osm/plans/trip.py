@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import NetworkError, ScenarioError, brief
 from ..network.location import PlaceLike, plain_place
+from ..vehicles.profile import Vehicle, vehicle_of
 from .zones import in_order
 
 __all__ = ["TIMES", "Trip", "check_one_clock"]
@@ -42,6 +43,9 @@ class Trip:
     flexibility_min : float or None
         How much longer than alone it may take [min]: the latest arrival is the earliest departure,
         the driving time alone and this. Instead of `latest_arrival`.
+    profile : Vehicle or str or mapping or None
+        Size, mass and load of the vehicle: one of `VEHICLES` by name, or fields of `Vehicle` by
+        name with `base`; None for that of the plan.
 
     Raises
     ------
@@ -56,6 +60,7 @@ class Trip:
     latest_departure: datetime | None = None
     latest_arrival: datetime | None = None
     flexibility_min: float | None = None
+    profile: Vehicle | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.vehicle, str) or not self.vehicle.strip():
@@ -64,6 +69,9 @@ class Trip:
             )
         for end in ("origin", "destination"):
             object.__setattr__(self, end, _place(self.vehicle, end, getattr(self, end)))
+        if self.profile is not None:
+            where = f"trip {self.vehicle!r}"
+            object.__setattr__(self, "profile", vehicle_of(self.profile, where))
         self._check_times()
         self._check_flexibility()
 

@@ -173,9 +173,12 @@ VEHICLES: Registry[Vehicle] = Registry(
     (
         # Council Directive 96/53/EC, Annex I; Directive 92/6/EEC.
         Vehicle("eu-40t"),
-        # A long lorry, neither heavier nor higher: 25.25 m, the European modular system (96/53/EC,
-        # article 4(4)) at the mass that Germany allows it (LKWUeberlStVAusnV).
-        Vehicle("eu-lng", length_m=25.25),
+        # Driven by liquefied natural gas: one tonne more for its tanks (96/53/EC, article 10b, by
+        # Directive (EU) 2015/719). Fuel in a vehicle's own tank is no dangerous load (ADR 1.1.3.2).
+        Vehicle("eu-lng", mass_t=41.0),
+        # The European modular system, neither heavier nor higher (96/53/EC, article 4(4)); mass as
+        # Germany allows it (LKWUeberlStVAusnV).
+        Vehicle("eu-25m", length_m=25.25),
         # 23 CFR 658.15 and .17: 102 in wide, 80,000 lb, 20,000 lb an axle; 13 ft 6 in is the usual
         # limit of the states; a tractor with a 53 ft trailer is some 72 ft long.
         Vehicle(

@@ -10,6 +10,7 @@ from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import NoRouteError, ScenarioError
 from platoon_osm.network.location import Location
 from platoon_osm.planning.ends import ACCESS_DETOUR, resolve_trips
+from platoon_osm.planning.fleet import Fleet
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.trip import Trip
 from platoon_osm.search.dijkstra import ReferenceEngine
@@ -24,7 +25,9 @@ def place(name, *candidates):
 
 def resolve(net, *trips):
     weights = paper_weights(net)
-    return resolve_trips(net, weights, Trees(ReferenceEngine(net, weights.solo)), trips)
+    fleet = Fleet.alike(net, weights, len(trips))
+    trees = [Trees(ReferenceEngine(net, weights.solo))] * len(trips)
+    return resolve_trips(net, fleet, trees, trips)
 
 
 @pytest.fixture

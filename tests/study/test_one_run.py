@@ -8,6 +8,7 @@ from platoon_osm.costs.fatigue import fatigue_heuristic
 from platoon_osm.costs.paper import paper_weights
 from platoon_osm.planning.cases import plan_members
 from platoon_osm.planning.ends import TripEnds
+from platoon_osm.planning.fleet import Fleet
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.planning.routers import DijkstraRouter
 from platoon_osm.planning.star import Star
@@ -131,7 +132,8 @@ def test_a_run_is_the_star_of_its_longest_route_and_a_joint_plan_is_no_dearer():
         TripEnds(trip.vehicle, o, g, frozenset([o]), frozenset([g]), "", "")
         for trip, o, g in zip(trips, draw.origins.tolist(), draw.destinations.tolist(), strict=True)
     ]
-    star = Star(draw.net, weights, ends, int(found["master"]), router)
+    fleet = Fleet.alike(draw.net, weights, len(trips))
+    star = Star(draw.net, fleet, ends, int(found["master"]), [router] * len(trips))
     choice = star.choose("C", "member")
     assert ours[star.members] == pytest.approx(choice.points.cost, rel=1e-9)
     assert ours.sum() == pytest.approx(choice.cost, rel=1e-9)

@@ -15,9 +15,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
 from ...search.changing_weights import ChangingWeights
+from ..fleet import Fleet
 
 __all__ = ["least_total"]
 
@@ -33,7 +33,7 @@ HAIR = 1e-11
 
 def least_total(
     net: RoadNetwork,
-    weights: EdgeWeights,
+    fleet: Fleet,
     ends: Sequence[tuple[int, int]],
     alone: Floats,
     cost: float,
@@ -44,8 +44,8 @@ def least_total(
     ----------
     net : RoadNetwork
         The network.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle, and where it may drive.
     ends : sequence of tuple of int, (N, 2)
         Nodes where each starts and ends.
     alone : ndarray of float, (N,)
@@ -60,12 +60,12 @@ def least_total(
     """
     if len(ends) < 2:
         return float(alone.sum())
-    least = np.minimum(weights.solo, np.minimum(weights.platoon, weights.master))
-    with np.errstate(invalid="ignore", divide="ignore"):
-        ratio = np.where(weights.solo > 0, least / weights.solo, 1.0).min(initial=1.0)
-    bounds = alone * float(ratio)
+    known = {fleet.kind[k]: _least_of(fleet, k) for k in range(len(fleet))}
+    least = [known[kind][0] for kind in fleet.kind]
+    solo = [fleet.alone(k) for k in range(len(fleet))]
+    bounds = alone * np.array([known[kind][1] for kind in fleet.kind])
     if len(ends) * net.n <= MOST_ROWS:
-        own = [least] * len(ends)
+        own = list(least)
         for _ in range(ROUNDS):
             there, onward = _both_ways(net, own, ends)
             bounds = np.maximum(
@@ -79,11 +79,23 @@ def least_total(
                 ]
             )
             users = can_be.sum(axis=0)
-            own = [np.where(users - mine > 0, least, weights.solo) for mine in can_be]
+            own = [
+                np.where(users - mine > 0, low, high)
+                for mine, low, high in zip(can_be, least, solo, strict=True)
+            ]
         search = net.attached(ChangingWeights).search
         there = [search(weight, start).dist for weight, (start, _) in zip(own, ends, strict=True)]
         bounds = np.maximum(bounds, [row[end] for row, (_, end) in zip(there, ends, strict=True)])
     return min(float(bounds.sum()) * (1 - HAIR), cost)
+
+
+def _least_of(fleet: Fleet, vehicle: int) -> tuple[Floats, float]:
+    """Return the least a vehicle may pay on each edge, and its least ratio to the cost alone."""
+    weights = fleet[vehicle]
+    least = np.minimum(weights.solo, np.minimum(weights.platoon, weights.master))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ratio = np.where(weights.solo > 0, least / weights.solo, 1.0).min(initial=1.0)
+    return fleet.barred(vehicle, least), float(ratio)
 
 
 def _both_ways(

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...costs.weights import EdgeWeights
 from ...plans.stretches import Run, runs_along
+from ..fleet import Fleet
 
 __all__ = ["NO_CHEAPER", "Company", "Draft", "Order"]
 
@@ -122,13 +122,13 @@ class Draft:
             runs_along(route, own) for route, own in zip(self.routes, self.companies, strict=True)
         ]
 
-    def costs(self, weights: EdgeWeights) -> Floats:
+    def costs(self, fleet: Fleet) -> Floats:
         """Return what each vehicle pays.
 
         Parameters
         ----------
-        weights : EdgeWeights
-            What edges cost.
+        fleet : Fleet
+            What edges cost each.
 
         Returns
         -------
@@ -136,8 +136,9 @@ class Draft:
             In their unit.
         """
         paid = np.zeros(len(self.routes))
-        table = (weights.solo, weights.master, weights.platoon)
         for index, (route, own) in enumerate(zip(self.routes, self.companies, strict=True)):
+            weights = fleet[index]
+            table = (weights.solo, weights.master, weights.platoon)
             # 0 alone, 1 in front, 2 behind
             place = np.array([0 if len(c) < 2 else 2 - (c[0] == index) for c in own], np.int64)
             paid[index] = sum(

@@ -15,19 +15,20 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...costs.weights import EdgeWeights
+from ..fleet import Fleet
 from .draft import Company, Draft, Order
 
 __all__ = ["side_by_side"]
 
 Allowed = Callable[[Draft], bool]
+Floats = NDArray[np.float64]
 
 MOST_STEPS = 750_000
 """Edges looked at in what is tried one by one; without it a plan of hundreds would take minutes."""
 
 
 def side_by_side(
-    draft: Draft, weights: EdgeWeights, order: Order, most: int | None, allowed: Allowed
+    draft: Draft, fleet: Fleet, order: Order, most: int | None, allowed: Allowed
 ) -> Draft:
     """Count as platoons all that drive the same edges, as far as it saves and can be.
 
@@ -35,8 +36,8 @@ def side_by_side(
     ----------
     draft : Draft
         Routes and the companies there are.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle.
     order : Order
         Who leads.
     most : int or None
@@ -51,7 +52,7 @@ def side_by_side(
     """
     where = _positions(draft)
     # Ways beside the road cost alike in company: they are nobody's platoon.
-    gain = 2 * weights.solo - weights.master - weights.platoon
+    gain = _gain(fleet)
     shared = {
         edge: there for edge, there in draft.on_edges().items() if len(there) > 1 and gain[edge] > 0
     }
@@ -62,12 +63,12 @@ def side_by_side(
     }
     if not shared:
         return draft
-    cost = float(draft.costs(weights).sum())
+    cost = float(draft.costs(fleet).sum())
     if most is None or all(sum(map(len, there)) <= most for there in shared.values()):
         every = _joined(draft, where, order, {
             edge: [one for company in there for one in company] for edge, there in shared.items()
         })  # fmt: skip
-        if float(every.costs(weights).sum()) < cost and allowed(every):
+        if float(every.costs(fleet).sum()) < cost and allowed(every):
             return every
     tries = MOST_STEPS // max(sum(map(len, draft.routes)), 1)
 
@@ -77,7 +78,7 @@ def side_by_side(
             return
         tries -= 1
         trial = _joined(draft, where, order, together)
-        new = float(trial.costs(weights).sum())
+        new = float(trial.costs(fleet).sum())
         if new < cost and allowed(trial):
             draft, cost = trial, new
 
@@ -85,7 +86,7 @@ def side_by_side(
         if tries < 1:
             return draft
         tried(_on_its_way(draft, where, vehicle, set(shared), most))
-    for first, second, edges in _runs(draft, where, weights, set(shared)):
+    for first, second, edges in _runs(draft, where, gain, set(shared)):
         if tries < 1:
             return draft
         together: dict[int, list[int]] = {}
@@ -95,6 +96,15 @@ def side_by_side(
                 together[edge] = [*own, *other]
         tried(together)
     return draft
+
+
+def _gain(fleet: Fleet) -> Floats:
+    """Return what two save on each edge, of unlike ones those that save most: where to look."""
+    own = {fleet.kind[k]: fleet[k] for k in range(len(fleet))}
+    found: Floats = np.maximum.reduce(
+        [2 * weights.solo - weights.master - weights.platoon for weights in own.values()]
+    )
+    return found
 
 
 def _on_its_way(
@@ -142,7 +152,7 @@ def _joined(
 
 
 def _runs(
-    draft: Draft, where: list[dict[int, int]], weights: EdgeWeights, shared: set[int]
+    draft: Draft, where: list[dict[int, int]], gain: Floats, shared: set[int]
 ) -> list[tuple[int, int, list[int]]]:
     """Return runs of edges that two vehicles drive and could drive together, best first."""
     pairs = {
@@ -150,7 +160,6 @@ def _runs(
         for edge in shared
         for pair in combinations(sorted(v for v, own in enumerate(where) if edge in own), 2)
     }
-    gain: NDArray[np.float64] = 2 * weights.solo - weights.master - weights.platoon
     found = []
     for first, second in sorted(pairs):
         run: list[int] = []

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ...costs.weights import EdgeWeights
 from ...network.road_network import RoadNetwork
 from ...search.changing_weights import ChangingWeights
+from ..fleet import Fleet
 from .draft import NO_CHEAPER, Company, Draft, Order
 
 __all__ = ["improved_in_turns"]
@@ -34,7 +35,7 @@ MOST_STEPS = 3_000_000
 def improved_in_turns(
     net: RoadNetwork,
     draft: Draft,
-    weights: EdgeWeights,
+    fleet: Fleet,
     order: Order,
     most: int | None,
     allowed: Allowed,
@@ -49,8 +50,8 @@ def improved_in_turns(
         The network.
     draft : Draft
         Where to begin.
-    weights : EdgeWeights
-        What edges cost.
+    fleet : Fleet
+        What edges cost each vehicle, and where it may drive.
     order : Order
         Who leads.
     most : int or None
@@ -67,7 +68,7 @@ def improved_in_turns(
     Draft
         Never dearer; the given one if nothing was found.
     """
-    total = float(draft.costs(weights).sum())
+    total = float(draft.costs(fleet).sum())
     slots = sum(map(len, draft.routes))
     steps = 0
     quiet = 0
@@ -76,10 +77,10 @@ def improved_in_turns(
         if quiet == len(movable) or steps > MOST_STEPS:
             break
         steps += net.n + LOOKS * slots
-        found = _turn(net, draft, weights, order, most, vehicle, ends[vehicle])
+        found = _turn(net, draft, fleet, order, most, vehicle, ends[vehicle])
         quiet += 1
         for trial in found:
-            new = float(trial.costs(weights).sum())
+            new = float(trial.costs(fleet).sum())
             if new < total * (1 - NO_CHEAPER) and allowed(trial):
                 draft, total, quiet = trial, new, 0
                 break
@@ -89,7 +90,7 @@ def improved_in_turns(
 def _turn(
     net: RoadNetwork,
     draft: Draft,
-    weights: EdgeWeights,
+    fleet: Fleet,
     order: Order,
     most: int | None,
     vehicle: int,
@@ -97,7 +98,11 @@ def _turn(
 ) -> list[Draft]:
     """Return what a vehicle could do instead, the best first; nothing if that saves nothing."""
     rest = _without(draft, vehicle, order)
+    # What others gain by its company is taken to be what it would gain itself: a turn is only
+    # taken if the total, worked out exactly, falls.
+    weights = fleet[vehicle]
     joins, weight = _offers(rest, weights, most)
+    weight = fleet.barred(vehicle, weight)
     own = draft.routes[vehicle]
     now = sum(
         _marginal(weights, len(company) - 1, edge)

@@ -8,18 +8,18 @@ plan can be driven iff these times keep every latest departure and arrival.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from graphlib import CycleError
-
-import numpy as np
-from numpy.typing import NDArray
 
 from ...plans.stretches import Run, stretched
 from .limits import Window
 from .pieces import Pieces, pieces_of
 
 __all__ = ["InTime", "earliest_starts"]
+
+DriveTime = Callable[[Sequence[int], Sequence[int]], float]
+"""From a company and edges to seconds."""
 
 HAIR_S = 1e-6
 """Sums of the same driving times may differ by less than this [s]."""
@@ -38,13 +38,13 @@ class InTime:
 
     Parameters
     ----------
-    drive_s : ndarray of float, (m,)
-        Driving time of each edge [s].
+    drive_s : callable
+        Returns how long a company takes for some edges [s].
     windows : sequence of Window, (N,), or None
         Limits of each vehicle; None if nobody names a time.
     """
 
-    def __init__(self, drive_s: NDArray[np.float64], windows: Sequence[Window] | None) -> None:
+    def __init__(self, drive_s: DriveTime, windows: Sequence[Window] | None) -> None:
         self._drive_s, self._windows = drive_s, windows
 
     def __call__(self, runs: Sequence[Sequence[Run]]) -> bool:
@@ -67,9 +67,7 @@ class InTime:
                 driven.setdefault(stretch, set()).add(index)
         if any(driven[k] != set(run.company) for k, run in enumerate(stretches)):
             return False  # one drives on where another turns off and comes back
-        timed = [
-            _Timed(run.company, float(self._drive_s[list(run.edges)].sum())) for run in stretches
-        ]
+        timed = [_Timed(run.company, self._drive_s(run.company, run.edges)) for run in stretches]
         try:
             pieces = pieces_of(timed, ways)
         except CycleError:

@@ -1,0 +1,64 @@
+"""Roads for residents, customers and deliveries: open to who starts or ends there, not to others.
+
+Such roads that hang together are a zone. A trip whose origin or destination lies inside one may
+drive it; a junction where an open road passes too is not inside, for a trip that starts there needs
+no such road. Every other zone is closed to the trip, so nobody drives through one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..network.road_network import RoadNetwork
+
+__all__ = ["EndZones"]
+
+Marks = NDArray[np.bool_]
+
+
+class EndZones:
+    """The zones of a network for one kind of vehicle.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    ends : ndarray of bool, (m,)
+        Edges that may only be driven at the ends of a trip.
+    closed : ndarray of bool, (m,)
+        Edges that may not be driven at all.
+    """
+
+    def __init__(self, net: RoadNetwork, ends: Marks, closed: Marks) -> None:
+        from scipy.sparse import csr_array
+        from scipy.sparse.csgraph import connected_components
+
+        self._net, self._ends, self._closed = net, ends, closed
+        tail, head = net.tail[ends], net.head[ends]
+        graph = csr_array((np.ones(len(tail), np.int8), (tail, head)), shape=(net.n, net.n))
+        _, self._zone = connected_components(graph, directed=False)
+        through = ~ends & ~closed
+        self._leaves, self._arrives = np.zeros(net.n, bool), np.zeros(net.n, bool)
+        self._leaves[net.tail[through]] = True
+        self._arrives[net.head[through]] = True
+
+    def closed_to(self, origins: Iterable[int], destinations: Iterable[int]) -> Marks:
+        """Mark the edges that are closed to a trip.
+
+        Parameters
+        ----------
+        origins, destinations : iterable of int
+            Nodes where it may start, and end.
+
+        Returns
+        -------
+        ndarray of bool, (m,)
+            Zones of other people, and what is closed anyway.
+        """
+        inside = [int(self._zone[v]) for v in origins if not self._leaves[v]]
+        inside += [int(self._zone[v]) for v in destinations if not self._arrives[v]]
+        others: Marks = self._ends & ~np.isin(self._zone[self._net.tail], inside)
+        return self._closed | others
