@@ -20,6 +20,7 @@ from ..plans.trip import Trip
 from ..search.protocol import EngineName
 from ..search.searches import Searches
 from ..search.trees import Trees
+from ..vehicles.profile import DEFAULT_VEHICLE
 from .answers import Answer
 from .best import best_answer
 from .company.draft import Draft
@@ -36,6 +37,7 @@ from .reasons import reasons_alone
 from .road_closures import closed_roads
 from .routers import AstarRouter, Method
 from .star import Star
+from .timing.bans import with_hours
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
 from .writing import written_plan
@@ -170,7 +172,9 @@ def solve(problem: Problem) -> Plan:
     plan = _answered(question) if exact else _by_astar(question)
     plan = with_place_remarks(plan, net, locations)
     patience_s = problem.patience_min * 60.0 if exact else None
-    return _with_rules(with_times(plan, problem.trips, patience_s), problem)
+    plan = with_times(plan, problem.trips, patience_s)
+    vehicles = [problem.profile_of(trip) or DEFAULT_VEHICLE for trip in problem.trips]
+    return _with_rules(with_hours(plan, net, problem.trips, vehicles, patience_s), problem)
 
 
 def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:

@@ -7,7 +7,7 @@ for. Only the others have a start of their own to choose.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from graphlib import TopologicalSorter
 from itertools import pairwise
@@ -79,7 +79,11 @@ class Pieces:
     groups: tuple[tuple[int, ...], ...]
 
 
-def pieces_of(stretches: Sequence[Driven], ways: Sequence[Sequence[int]]) -> Pieces:
+def pieces_of(
+    stretches: Sequence[Driven],
+    ways: Sequence[Sequence[int]],
+    may_wait: Collection[int] = (),
+) -> Pieces:
     """Cut a plan into pieces.
 
     Parameters
@@ -88,6 +92,8 @@ def pieces_of(stretches: Sequence[Driven], ways: Sequence[Sequence[int]]) -> Pie
         Of the plan.
     ways : sequence of sequence of int, (N, ...)
         The stretches of each vehicle.
+    may_wait : collection of int
+        Stretches before which their vehicles may wait though nobody joins.
 
     Returns
     -------
@@ -107,7 +113,8 @@ def pieces_of(stretches: Sequence[Driven], ways: Sequence[Sequence[int]]) -> Pie
     made: list[Piece] = []
     for stretch in ordered:
         come_from = [place[last] for last in sorted(before[stretch])]
-        made.append(_piece(stretches[stretch], come_from, begins[stretch], made))
+        own = stretch in may_wait
+        made.append(_piece(stretches[stretch], come_from, begins[stretch], made, own))
     return Pieces(
         tuple(made),
         tuple(tuple(place[stretch] for stretch in way) for way in ways),
@@ -116,11 +123,15 @@ def pieces_of(stretches: Sequence[Driven], ways: Sequence[Sequence[int]]) -> Pie
 
 
 def _piece(
-    stretch: Driven, before: Sequence[int], begins: Sequence[int], made: Sequence[Piece]
+    stretch: Driven,
+    before: Sequence[int],
+    begins: Sequence[int],
+    made: Sequence[Piece],
+    own_start: bool,
 ) -> Piece:
     company = frozenset(stretch.vehicles)
     root, offset = len(made), 0.0
-    if len(before) == 1 and not begins and company <= made[before[0]].company:
+    if not own_start and len(before) == 1 and not begins and company <= made[before[0]].company:
         last = made[before[0]]
         root, offset = last.root, last.offset_s + last.time_s
     return Piece(company, stretch.drive_s, tuple(before), tuple(begins), root, offset)

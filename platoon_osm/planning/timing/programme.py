@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .limits import NOTHING_ASKED, Window
 from .pieces import Pieces
 
-__all__ = ["Programme"]
+__all__ = ["Programme", "Row"]
 
 Floats = NDArray[np.float64]
 Row = dict[int, float]

@@ -42,7 +42,7 @@ from .limits import Window, first_named, windows_of
 from .pieces import Pieces, pieces_of
 from .programme import Programme
 
-__all__ = ["ROUTES_GIVEN", "schedule", "with_times"]
+__all__ = ["ROUTES_GIVEN", "schedule", "settled", "solved", "with_times"]
 
 ROUTES_GIVEN = "cost chose among what the clock allows, and the times are exact for these routes"
 
@@ -149,12 +149,12 @@ def schedule(
         first,
     )
     pieces = pieces_of(plan.stretches, plan.ways)
-    starts = _starts(pieces, windows, asked)
+    starts = solved(Programme(pieces, windows, asked))
     # Seconds count from the whole second at or before the first departure.
     leaving = (w.leaves(starts[way[0]]) for w, way in zip(windows, pieces.ways, strict=True))
     shift = math.floor(min(leaving) + NEAR_S)
     asked, windows = ([window.moved(shift) for window in some] for some in (asked, windows))
-    spans = _settled(pieces, windows, starts - shift)
+    spans = settled(pieces, windows, starts - shift)
     vehicles = tuple(
         VehicleTimes(
             vehicle.vehicle,
@@ -178,11 +178,27 @@ def schedule(
 # -- the linear programme --------------------------------------------------------------------------
 
 
-def _starts(pieces: Pieces, windows: Sequence[Window], asked: Sequence[Window]) -> Floats:
-    """Return the start of each piece [s], right but for the last digits."""
+def solved(model: Programme) -> Floats:
+    """Return the start of each piece, right but for the last digits.
+
+    Parameters
+    ----------
+    model : Programme
+        What is demanded; the least values of its aims are added to it.
+
+    Returns
+    -------
+    ndarray of float
+        Seconds.
+
+    Raises
+    ------
+    ScenarioError
+        Demands that no times meet.
+    """
     from scipy.optimize import linprog
 
-    model = Programme(pieces, windows, asked)
+    pieces = model.pieces
     values: Floats = np.zeros(model.size)
     for aim in model.aims():
         if not aim.any():
@@ -201,13 +217,25 @@ def _starts(pieces: Pieces, windows: Sequence[Window], asked: Sequence[Window]) 
     return np.array([values[piece.root] + piece.offset_s for piece in pieces.pieces])
 
 
-def _settled(
-    pieces: Pieces, windows: Sequence[Window], starts: Floats
-) -> list[tuple[float, float]]:
+def settled(pieces: Pieces, windows: Sequence[Window], starts: Floats) -> list[tuple[float, float]]:
     """Return start and end of each piece, so that all that should be equal is so to the last digit.
 
     The solver's times hold to about 1e-7 s: those near a bound are put there, others are
     rounded to milliseconds.
+
+    Parameters
+    ----------
+    pieces : Pieces
+        In an order of time.
+    windows : sequence of Window, (N,)
+        What is demanded of each vehicle.
+    starts : ndarray of float
+        As the solver gave them [s].
+
+    Returns
+    -------
+    list of (float, float)
+        Start and end of each piece [s].
     """
     spans: list[tuple[float, float]] = []
     for k, piece in enumerate(pieces.pieces):

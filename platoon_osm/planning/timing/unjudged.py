@@ -1,0 +1,71 @@
+"""What a plan without times passes that depends on hours: counted, for nobody can judge it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ...driving.bans.rules import Road, bans_of
+from ...network.restrictions import decode
+from ...network.road_network import RoadNetwork
+from ...plans.plan import Plan
+from ...plans.text_table import listed
+from ...vehicles.access import Way
+from ...vehicles.conditions import has_conditions
+from ...vehicles.judgement import judge
+from ...vehicles.profile import Vehicle
+from .road_hours import country_of_edge
+
+__all__ = ["without_times"]
+
+
+def without_times(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Iterator[str]:
+    """Yield what to say of a plan that names no times.
+
+    Parameters
+    ----------
+    plan : Plan
+        Without times.
+    net : RoadNetwork
+        The network it was made on.
+    vehicles : sequence of Vehicle, (N,)
+        What drives each trip.
+
+    Yields
+    ------
+    str
+        A remark on roads with hours, one on driving bans; nothing where there are none.
+    """
+    roads: dict[str, float] = {}
+    countries: dict[str, None] = {}
+    for index, way in enumerate(plan.ways):
+        for edge in (edge for k in way for edge in plan.stretches[k].edges):
+            country = country_of_edge(net, edge)
+            if _depends(net, edge, vehicles[index], country):
+                name = net.edge_ref(edge) or net.edge_name(edge) or "a road without a name"
+                own = f"{plan.trips[index].vehicle}: {name}"
+                roads[own] = roads.get(own, 0.0) + float(net.length_m[edge])
+            if country not in countries and _has_bans(net, edge, vehicles[index], country):
+                countries[country] = None
+    if roads:
+        told = [f"{own} ({metres / 1000:.1f} km)" for own, metres in roads.items()]
+        count = f"{len(roads)} road{'s' if len(roads) > 1 else ''}"
+        yield f"passes {count} with hours, not judged without times: {listed(told)}"
+    if countries:
+        yield f"driving bans are not judged without times: {listed(list(countries))}"
+
+
+def _depends(net: RoadNetwork, edge: int, vehicle: Vehicle, country: str) -> bool:
+    """Tell whether hours may close an edge to a vehicle."""
+    if not net.restriction[edge]:
+        return False
+    layers = decode(net.texts[int(net.restriction[edge])])
+    if not any(has_conditions(layer) for layer in layers):
+        return False
+    found = judge(layers, vehicle, None, None, country or None)
+    return found.undecided and found.way != Way.CLOSED
+
+
+def _has_bans(net: RoadNetwork, edge: int, vehicle: Vehicle, country: str) -> bool:
+    bans = bans_of(country)
+    road = Road.of_edge(net, edge)
+    return bans is not None and any(rule.concerns(vehicle, road) for rule in bans.rules)
