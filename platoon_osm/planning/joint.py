@@ -22,7 +22,8 @@ from ..search.searches import Searches
 from ..search.trees import Trees
 from ..vehicles.profile import DEFAULT_VEHICLE
 from .answers import Answer
-from .best import best_answer
+from .apart import lawful_company
+from .best import Best, best_answer
 from .company.draft import Draft
 from .company.platoons import platoons_of
 from .ends import located, resolve_trips
@@ -169,12 +170,19 @@ def solve(problem: Problem) -> Plan:
     ends = resolve_trips(net, fleet, trees, problem.trips, places.ends)
     question = Question(problem, fleet, tuple(ends), trees)
     exact = problem.method == "dijkstra"
-    plan = _answered(question) if exact else _by_astar(question)
-    plan = with_place_remarks(plan, net, locations)
     patience_s = problem.patience_min * 60.0 if exact else None
-    plan = with_times(plan, problem.trips, patience_s)
     vehicles = [problem.profile_of(trip) or DEFAULT_VEHICLE for trip in problem.trips]
-    return _with_rules(with_hours(plan, net, problem.trips, vehicles, patience_s), problem)
+
+    def timed(plan: Plan) -> Plan:
+        plan = with_times(with_place_remarks(plan, net, locations), problem.trips, patience_s)
+        return with_hours(plan, net, problem.trips, vehicles, patience_s)
+
+    plan = timed(_answered(question) if exact else _by_astar(question))
+    if exact:
+        plan = lawful_company(
+            question, plan, vehicles, lambda best, why: timed(_of_best(question, best, why))
+        )
+    return _with_rules(plan, problem)
 
 
 def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:
@@ -192,10 +200,14 @@ def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:
 def _answered(question: Question) -> Plan:
     """Return the plan of the best answer, without times."""
     best = best_answer(question)
+    return _of_best(question, best, reasons_alone(question, best.answer))
+
+
+def _of_best(question: Question, best: Best, reasons: Sequence[str]) -> Plan:
     answer = best.answer
     return _written(
-        question, answer.draft.runs(), answer.case, answer.master, best.proof,
-        reasons_alone(question, answer), masters=best.masters, remarks=best.remarks,
+        question, answer.draft.runs(), answer.case, answer.master, best.proof, reasons,
+        masters=best.masters, remarks=best.remarks,
     )  # fmt: skip
 
 

@@ -317,10 +317,11 @@ def _breaking(plan: Plan, left: Sequence[Broken]) -> Iterator[str]:
     for one in left:
         together.setdefault((one.vehicle, one.why), []).append(one)
     for (index, why), own in together.items():
-        roads = listed(list(dict.fromkeys(one.road for one in own if one.road)))
+        names = dict.fromkeys(one.road or "a road without a number" for one in own)
+        roads = listed(list(names))
         begin, end = min(one.begin for one in own), max(one.end for one in own)
         yield (
             f"{plan.trips[index].vehicle} drives while it may not ({why}), from "
-            f"{begin:%Y-%m-%d %H:%M} to {end:%Y-%m-%d %H:%M}{' on ' + roads if roads else ''}; "
+            f"{begin:%Y-%m-%d %H:%M} to {end:%Y-%m-%d %H:%M} on {roads}; "
             "give it other times"
         )

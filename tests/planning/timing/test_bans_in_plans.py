@@ -120,17 +120,18 @@ def test_a_stop_takes_nothing_from_a_journey():
 
 
 def test_a_plan_with_a_stop_is_shown(tmp_path):
+    """A stands at a junction until the road opens at 19:00, and B with it."""
+    net = straight()
     trips = [
-        po.Trip("A", "Torino", "Napoli", at("2026-03-01T06:00"), at("2026-03-01T07:00")),
-        po.Trip("B", "Milano", "Napoli", at("2026-03-01T05:00"), at("2026-03-01T06:00")),
+        po.Trip("A", "N0", "N4", datetime(2026, 3, 2, 6), datetime(2026, 3, 2, 6, 30)),
+        po.Trip("B", "N1", "N4", datetime(2026, 3, 2, 6), datetime(2026, 3, 2, 7, 30)),
     ]
-    plan = planned(italy(), *trips)
-    assert broken(plan, italy()) == []
-    assert max(times.waiting_s for times in plan.timetable.vehicles) > 3600
-    po.write_html(plan, italy(), tmp_path / "plan.html")
-    page = (tmp_path / "plan.html").read_text("utf-8")
-    assert "Sunday and holiday ban of IT" in page
-    assert "13 h" in plan.summary() or "h" in plan.summary()
+    plan = planned(net, *trips)
+    assert broken(plan, net) == []
+    assert all(times.waiting_s > 9 * 3600 for times in plan.timetable.vehicles)
+    po.write_html(plan, net, tmp_path / "plan.html")
+    assert "keeps to the hours of S 2" in (tmp_path / "plan.html").read_text("utf-8")
+    assert "keeps to the hours of S 2 (hgv=no)" in plan.summary()
 
 
 def test_who_cannot_keep_a_ban_is_named():
@@ -167,6 +168,31 @@ def test_two_that_drive_together_keep_a_ban_together():
     assert min(left_at(plan, 0), left_at(plan, 1)) >= at("2026-03-01T22:00") - HALF_MINUTE
 
 
+def test_company_makes_nobody_break_a_ban():
+    """A cannot keep it; B can, if it does not wait for A."""
+    plan = planned(
+        italy(),
+        po.Trip("A", "Torino", "Trieste", at("2026-03-01T06:00"), None, at("2026-03-01T14:00")),
+        po.Trip("B", "Milano", "Venezia", at("2026-03-01T05:00"), None, at("2026-03-01T23:00")),
+    )
+    assert {one.vehicle for one in broken(plan, italy())} == {0}
+    assert plan.platoon_m == 0
+    assert any(remark.startswith("driven apart") for remark in plan.remarks)
+    assert [trip.reason for trip in plan.trips if trip.reason]
+    assert plan.proof.cost == pytest.approx(plan.joint_cost)
+
+
+def test_others_stay_together_without_who_breaks_a_ban():
+    plan = planned(
+        italy(),
+        po.Trip("A", "Torino", "Trieste", at("2026-03-01T06:00"), None, at("2026-03-01T14:00")),
+        po.Trip("B", "Milano", "Venezia", at("2026-03-01T05:00"), None, at("2026-03-01T23:00")),
+        po.Trip("C", "Milano", "Venezia", at("2026-03-01T05:00"), None, at("2026-03-01T23:00")),
+    )
+    assert {one.vehicle for one in broken(plan, italy())} == {0}
+    assert {vehicle.vehicle for vehicle in plan.vehicles if vehicle.platoon_m} == {"B", "C"}
+
+
 def test_times_without_a_zone_are_those_of_the_country():
     plan = planned(italy(), po.Trip("A", "Torino", "Trieste", datetime(2026, 3, 1, 8, 30)))
     assert left_at(plan) == datetime(2026, 3, 1, 22)
@@ -197,7 +223,7 @@ def test_hours_are_for_those_they_are_made_for():
 
 def test_without_times_hours_and_bans_are_counted():
     plan = planned(straight(), po.Trip("A", "N0", "N4"))
-    assert plan.remarks == ("passes 1 road with hours, not judged without times: A: S 2 (60.0 km)",)
+    assert plan.remarks == ("passes roads with hours, not judged without times: A: S 2 (60.0 km)",)
     plan = planned(italy(), po.Trip("A", "Torino", "Trieste"))
     assert plan.remarks == ("driving bans are not judged without times: IT",)
 
