@@ -12,7 +12,7 @@ from ..errors import MapDataError
 from ..network.load_report import LoadReport
 from ..network.preparing.simplify import merge_chains
 from ..network.road_network import RoadNetwork
-from .truck import TruckRules, WayReading, read_way
+from .truck import TruckRules, WayReading, dropped, read_way
 
 __all__ = ["RoadChoice"]
 
@@ -36,6 +36,7 @@ class RoadChoice:
         self.unit = unit
         self.counts: Counter[str] = Counter()
         self.found: Counter[str] = Counter()
+        self.closed = 0
 
     def read(self, tags: Mapping[str, str]) -> WayReading | None:
         """Return what the tags of a road mean, None if it is dropped.
@@ -58,7 +59,8 @@ class RoadChoice:
             return None
         reading = read_way(tags, self.rules)
         if not reading.allowed:
-            self.counts[f"{self.unit} dropped: closed to trucks"] += 1
+            self.counts[dropped(reading, self.unit)] += 1
+            self.closed += 1
             return None
         self.counts[f"{self.unit} kept"] += 1
         self.counts.update(reading.remarks)
@@ -80,7 +82,7 @@ class RoadChoice:
         if self.counts[f"{self.unit} kept"]:
             return
         found = ", ".join(f"{kind} ({count:,})" for kind, count in self.found.most_common(8))
-        closed = self.counts[f"{self.unit} dropped: closed to trucks"]
+        closed = self.closed
         raise MapDataError(
             f"{what}: no road of class {', '.join(self.classes)} that trucks may use"
             f"{f' ({closed:,} are closed to them)' if closed else ''}; "

@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from numbers import Real
 
 from ..errors import ScenarioError
+from ..network.restrictions import encode
+from ..vehicles.conditions import apply
+from ..vehicles.profile import DEFAULT_VEHICLE, VEHICLES
+from .way_sides import (
+    CHANGING,
+    Layers,
+    for_side,
+    is_restriction,
+    open_to_any,
+    restricting,
+    sides_of,
+    unread,
+)
 
 __all__ = [
-    "COUNTRY_LIMITS_KMH", "TruckRules", "WayReading", "is_driving_tag", "read_speed_kmh",
+    "COUNTRY_LIMITS_KMH", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_speed_kmh",
     "read_way",
 ]  # fmt: skip
 
@@ -35,12 +49,15 @@ ZONE_SPEEDS_KMH: Mapping[str, float] = {
 }  # fmt: skip
 """What "IT:motorway" and its like mean before the cap for trucks, which decides in practice."""
 
+LIGHT = VEHICLES["van-3.5t"]
+"""Whose speed is that of light vehicles where it depends on mass."""
+
 MPH_IN_KMH = 1.609344
 KNOT_IN_KMH = 1.852
 FASTEST_KMH, SLOWEST_KMH = 150.0, 3.0
 """Speeds outside are slips of the pen: a "70|100" read as 70100 must not make a road fast."""
 
-NO = frozenset({"no", "false", "0", "private", "agricultural", "forestry", "emergency", "bus"})
+NO = frozenset({"no", "false", "0"})
 FORWARD, BACKWARD, BOTH = 1, -1, 0
 
 
@@ -92,6 +109,28 @@ def _shown(value: object) -> str:
 
 
 @dataclass(frozen=True, slots=True)
+class Side:
+    """What a road means in one direction.
+
+    Attributes
+    ----------
+    speed_kmh : float
+        Speed of a lone truck.
+    posted_kmh : float
+        What a light vehicle may drive.
+    restriction : str
+        Whom it is closed to, in the form of `network.restrictions`.
+    toll : bool
+        Whether trucks pay.
+    """
+
+    speed_kmh: float
+    posted_kmh: float
+    restriction: str
+    toll: bool
+
+
+@dataclass(frozen=True, slots=True)
 class WayReading:
     """What one combination of tags means.
 
@@ -100,7 +139,8 @@ class WayReading:
     direction : int
         1 along the way, -1 against it, 0 both.
     allowed : bool
-        Whether a truck may drive there.
+        Whether anybody this package plans for may drive there, be it at the ends of a trip or at
+        some hours.
     speed_kmh : float
         Speed of a lone truck.
     toll : bool
@@ -109,6 +149,12 @@ class WayReading:
         What had to be defaulted, capped or ignored; counted by the loader.
     backward_kmh : float
         Speed against the way; that of `speed_kmh` on a one-way road.
+    posted_kmh, backward_posted_kmh : float
+        What a light vehicle may drive, likewise.
+    restriction, backward_restriction : str
+        Whom the road is closed to, in the form of `network.restrictions`, likewise.
+    closed_by : str
+        The tags that close it, if nobody may drive there.
     """
 
     direction: int
@@ -117,6 +163,41 @@ class WayReading:
     toll: bool
     remarks: tuple[str, ...]
     backward_kmh: float = 0.0
+    posted_kmh: float = 0.0
+    backward_posted_kmh: float = 0.0
+    restriction: str = ""
+    backward_restriction: str = ""
+    closed_by: str = ""
+
+    @property
+    def along(self) -> Side:
+        """In its only direction, else along the way as it is drawn."""
+        return Side(self.speed_kmh, self.posted_kmh, self.restriction, self.toll)
+
+    @property
+    def against(self) -> Side:
+        """In its only direction, else against the way."""
+        return Side(
+            self.backward_kmh, self.backward_posted_kmh, self.backward_restriction, self.toll
+        )
+
+
+def dropped(reading: WayReading, unit: str) -> str:
+    """Return what to count a road as that nobody may drive.
+
+    Parameters
+    ----------
+    reading : WayReading
+        That of the road.
+    unit : str
+        What is counted, "ways" or "edges".
+
+    Returns
+    -------
+    str
+        With the tags that close it.
+    """
+    return f"{unit} dropped: closed to all by {reading.closed_by or 'oneway'}"
 
 
 def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
@@ -135,25 +216,71 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
         What they mean.
     """
     remarks: list[str] = []
-    direction = _direction(tags, remarks)
-    allowed = _allowed(tags)
-    speed = backward = _speed_kmh(tags, direction, rules, remarks)
-    if direction == BOTH:
-        noted: list[str] = []
-        backward = _speed_kmh(tags, BACKWARD, rules, noted)
+    counts: Counter[str] = Counter()
+    one_way = _direction(tags, remarks)
+    sides = [
+        _side(tags, name, layers, counts)
+        for name, layers in zip(
+            ("forward", "backward"), sides_of(tags, one_way, counts), strict=True
+        )
+    ]
+    usable = [text is not None and not reason for text, reason in sides]
+    # A road that nobody may drive keeps its direction, for the reader of its tags.
+    direction = (FORWARD if usable[0] else BACKWARD) if sum(usable) == 1 else BOTH
+    if not any(usable):
+        direction = one_way
+    noted: list[list[str]] = [[], []]
+    ways = [
+        _speeds(tags, side, rules, own)
+        for side, own in zip((FORWARD, BACKWARD), noted, strict=True)
+    ]
+    first = int(direction == BACKWARD)
+    last = first if direction != BOTH else 1
+    for own in (noted[first], noted[last]):
         # A remark counts once for a way, whichever direction it is about.
-        remarks += [remark for remark in noted if remark not in remarks]
+        remarks += [remark for remark in own if remark not in remarks]
     toll = tags.get("toll:hgv", tags.get("toll:N3", tags.get("toll", "no")))
-    costs_toll = toll.strip().lower() not in NO
-    conditional = sum(1 for key in tags if key.endswith(":conditional"))
-    remarks += ["conditional tags ignored"] * conditional
-    return WayReading(direction, allowed, speed, costs_toll, tuple(remarks), backward)
+    for key in unread(tags):
+        counts[f"restrictions not read: {key}"] += 1
+    return WayReading(
+        direction=direction,
+        allowed=any(usable),
+        speed_kmh=ways[first][0],
+        toll=toll.strip().lower() not in NO,
+        remarks=(*remarks, *counts),
+        backward_kmh=ways[last][0],
+        posted_kmh=ways[first][1],
+        backward_posted_kmh=ways[last][1],
+        restriction=sides[first][0] or "",
+        backward_restriction=sides[last][0] or "",
+        closed_by=next((reason for _, reason in sides if reason), ""),
+    )
 
 
-DRIVING_TAGS = frozenset(
-    {"highway", "oneway", "junction", "hgv", "motor_vehicle", "vehicle", "access"}
-    | {"toll", "toll:hgv", "toll:N3"}
-)
+def _side(
+    tags: Mapping[str, str], name: str, layers: Layers | None, counts: Counter[str]
+) -> tuple[str | None, str]:
+    """Return what is restricted in one direction, and what closes it; None if nothing drives it."""
+    if layers is None:
+        return None, ""
+    every = (*layers, restricting(for_side(tags, name), counts))
+    return encode(every), open_to_any(every) if any(every) else ""
+
+
+def _speeds(
+    tags: Mapping[str, str], side: int, rules: TruckRules, remarks: list[str]
+) -> tuple[float, float]:
+    """Return what a truck drives in a direction, and what is posted for light vehicles."""
+    truck, van = (
+        apply({key: value for key, value in tags.items() if not is_restriction(key)}, one)
+        for one in (DEFAULT_VEHICLE, LIGHT)
+    )
+    if truck[1]:
+        remarks.append("speed limits at some hours or in some weather, not judged")
+    return _speed_kmh(truck[0], side, rules, remarks), _posted_kmh(van[0], side)
+
+
+DRIVING_TAGS = frozenset({"highway", "oneway", "junction", "toll", "toll:hgv", "toll:N3"})
 
 
 def is_driving_tag(key: str) -> bool:
@@ -169,7 +296,13 @@ def is_driving_tag(key: str) -> bool:
     bool
         Whether it does.
     """
-    return key in DRIVING_TAGS or key.startswith("maxspeed") or key.endswith(":conditional")
+    return (
+        key in DRIVING_TAGS
+        or key.startswith(("maxspeed", "oneway"))
+        or key.endswith(":conditional")
+        or is_restriction(key)
+        or bool(unread({key: ""}))
+    )
 
 
 def _direction(tags: Mapping[str, str], remarks: list[str]) -> int:
@@ -180,7 +313,7 @@ def _direction(tags: Mapping[str, str], remarks: list[str]) -> int:
         return BACKWARD
     if value in {"no", "false", "0"}:
         return BOTH
-    if value:
+    if value and value not in CHANGING:
         remarks.append("oneway not understood")
     if tags.get("junction") in {"roundabout", "circular"}:
         return FORWARD
@@ -191,12 +324,14 @@ def _direction(tags: Mapping[str, str], remarks: list[str]) -> int:
     return BOTH
 
 
-def _allowed(tags: Mapping[str, str]) -> bool:
-    """Let the most specific access tag decide: hgv, then goods vehicles of any kind, then all."""
-    for key in ("hgv", "motor_vehicle", "vehicle", "access"):
-        if key in tags:
-            return tags[key].strip().lower() not in NO
-    return True
+def _posted_kmh(tags: Mapping[str, str], direction: int) -> float:
+    """Return what a light vehicle may drive: as posted, else as on roads of the class."""
+    side = "backward" if direction == BACKWARD else "forward"
+    for key in (f"maxspeed:{side}", "maxspeed"):
+        speed = read_speed_kmh(tags[key]) if key in tags else None
+        if speed is not None:
+            return speed
+    return _class_speed_kmh(tags.get("highway", ""))
 
 
 def _speed_kmh(

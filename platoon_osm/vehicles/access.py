@@ -42,7 +42,7 @@ VALUES: Mapping[str, Way] = {
     **dict.fromkeys(
         (
             "yes", "designated", "permissive", "official", "public", "true", "1", "allowed",
-            "discouraged", "limited", "unknown", "",
+            "discouraged", "limited", "unknown", "lane", "lanes", "",
         ),
         Way.OPEN,
     ),
@@ -71,9 +71,9 @@ package plans for. A value that is not here is closed, and the loader counts it.
 CHAIN = ("hgv_articulated", "hgv", "goods", "motor_vehicle", "vehicle", "access")
 """Keys from the most specific to the most general; the first that is there decides."""
 
-HAZARDOUS = ("hazmat", "hazmat:water", "hazmat:explosive")
-"""Keys that hold besides for dangerous goods; which of them is on board a vehicle does not say, so
-each counts."""
+HAZARDOUS = ("hazmat", "hazmat:water")
+"""Keys that hold besides for dangerous goods, with `hazmat:` and a class of goods or a category of
+tunnels."""
 
 RESERVED = ("hov", "psv", "bus", "taxi", "tram", "coach")
 """Keys of those for whom a carriageway may be reserved: `hov=only`, `bus=only`."""
@@ -173,9 +173,8 @@ def deciding(tags: Mapping[str, str], vehicle: Vehicle) -> Iterator[tuple[str, W
     if own is not None:
         yield own, read_value(tags[own])[0]
     if vehicle.hazardous:
-        letters = (f"hazmat:{code}" for code in "BCDE" if code >= vehicle.tunnel_code)
-        for key in (*HAZARDOUS, *letters):
-            if key in tags:
+        for key in tags:
+            if _is_hazmat(key, vehicle.tunnel_code):
                 yield key, read_value(tags[key])[0]
     if vehicle.trailer and "trailer" in tags:
         yield "trailer", read_value(tags["trailer"])[0]
@@ -184,6 +183,16 @@ def deciding(tags: Mapping[str, str], vehicle: Vehicle) -> Iterator[tuple[str, W
         for key in RESERVED:
             if tags.get(key, "").strip().lower() in RESERVED_FOR.get(key, ONLY):
                 yield key, Way.CLOSED
+
+
+def _is_hazmat(key: str, code: str) -> bool:
+    """Tell whether a key is about a load that a vehicle with a tunnel code may have."""
+    head, _, kind = key.partition(":")
+    if head != "hazmat" or kind.startswith("adr_tunnel"):
+        return False
+    # A letter is a category of tunnels; any other word or number is a kind of goods, which a
+    # vehicle does not tell: each counts.
+    return kind.upper() not in tuple("ABCDE") or kind.upper() >= code
 
 
 def barrier_way(tags: Mapping[str, str]) -> Way:

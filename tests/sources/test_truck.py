@@ -1,10 +1,13 @@
 """What a heavy vehicle reads in the tags of a road."""
 
+from datetime import datetime
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from platoon_osm.errors import ScenarioError
+from platoon_osm.network.restrictions import decode
 from platoon_osm.sources.truck import (
     BACKWARD,
     BOTH,
@@ -15,6 +18,11 @@ from platoon_osm.sources.truck import (
     read_speed_kmh,
     read_way,
 )
+from platoon_osm.vehicles.access import Way, read_value
+from platoon_osm.vehicles.judgement import judge
+from platoon_osm.vehicles.limits import read_limit
+from platoon_osm.vehicles.profile import DEFAULT_VEHICLE as TRUCK
+from platoon_osm.vehicles.profile import VEHICLES
 
 MPH, KNOT = 1.609344, 1.852
 FREE = TruckRules(limiter_kmh=150)
@@ -163,37 +171,152 @@ def test_a_motorway_without_oneway_is_one_way_and_counted(highway):
 
 
 def test_a_direction_nobody_understands_is_counted():
-    odd = ("oneway not understood",)
-    reversible = way(highway="motorway", oneway="reversible", maxspeed="50")
-    assert (reversible.direction, reversible.remarks) == (FORWARD, odd)
-    assert way(oneway="perhaps", maxspeed="50").remarks == odd
+    assert way(oneway="perhaps", maxspeed="50").remarks == ("oneway not understood",)
+
+
+@pytest.mark.parametrize("value", ["reversible", "alternating", "Reversible"])
+def test_a_carriageway_that_changes_its_direction_is_closed_but_at_known_hours(value):
+    reading = way(highway="motorway", oneway=value, maxspeed="50")
+    assert not reading.allowed
+    assert reading.remarks == (
+        "carriageways that change their direction, closed but at known hours",
+    )
+    known = way(
+        oneway=value, oneway__conditional="yes @ (Mo-Fr 05:00-11:00); -1 @ (Mo-Fr 12:00-20:00)"
+    )
+    assert known.direction == BOTH
+    (layer,), (back,) = decode(known.restriction), decode(known.backward_restriction)
+    morning, evening = datetime(2026, 3, 2, 8), datetime(2026, 3, 2, 15)
+    for one, opens in ((layer, (True, False)), (back, (False, True))):
+        found = tuple(judge([one], TRUCK, at).way == Way.OPEN for at in (morning, evening))
+        assert found == opens
+        assert judge([one], TRUCK).way == Way.CLOSED
 
 
 @pytest.mark.parametrize(
-    ("tags", "allowed"),
+    ("tags", "forward", "backward"),
     [
-        ({}, True),
-        ({"hgv": "yes"}, True),
-        ({"hgv": "designated"}, True),
-        ({"hgv": "no"}, False),
-        ({"hgv": " No "}, False),
-        ({"access": "no"}, False),
-        ({"access": "private"}, False),
-        ({"access": "yes"}, True),
-        ({"motor_vehicle": "no"}, False),
-        ({"vehicle": "no"}, False),
-        ({"motor_vehicle": "agricultural"}, False),
-        ({"motor_vehicle": "permissive"}, True),
-        # The tag that is about trucks decides before those about all.
-        ({"access": "no", "hgv": "yes"}, True),
-        ({"access": "yes", "hgv": "no"}, False),
-        ({"access": "no", "motor_vehicle": "yes"}, True),
-        ({"vehicle": "yes", "motor_vehicle": "no"}, False),
-        ({"hgv:conditional": "no @ (22:00-06:00)"}, True),
+        # who may drive along and against: t(ruck), v(an)
+        ({"oneway": "yes", "oneway:hgv": "no"}, "tv", "t"),
+        ({"oneway": "no", "oneway:hgv": "yes"}, "tv", "v"),
+        ({"oneway": "yes", "oneway:motor_vehicle": "no"}, "tv", "tv"),
+        ({"oneway": "yes", "oneway:bicycle": "no"}, "tv", ""),
+        ({"hgv:forward": "no"}, "v", "tv"),
+        ({"hgv": "no", "hgv:backward": "yes"}, "v", "tv"),
+        ({"access:backward": "no"}, "tv", ""),
+        ({"maxheight:forward": "3.5"}, "v", "tv"),
+        ({"maxweight:backward": "7.5", "maxweight": "44"}, "tv", "v"),
+        ({"maxweight:hgv:forward": "7.5"}, "v", "tv"),
+        ({"hgv:forward:conditional": "no @ (weight>7.5)"}, "v", "tv"),
+        ({"oneway": "-1", "hgv:forward": "no"}, "", "tv"),
+        ({"hgv:lanes": "no|yes"}, "tv", "tv"),
+        ({"hgv:lanes": "no|no"}, "v", "v"),
+        ({"hgv:lanes": "no|"}, "tv", "tv"),
+        ({"access:lanes:forward": "no|no"}, "", "tv"),
+        ({"oneway": "yes", "oneway:conditional": "no @ (weight>7.5)"}, "tv", "t"),
+        ({"oneway:conditional": "yes @ (weight>7.5)"}, "tv", "v"),
     ],
 )
-def test_access(tags, allowed):
-    assert way(**tags).allowed is allowed
+def test_each_direction_is_read_by_itself(tags, forward, backward):
+    reading = read_way({"highway": "primary", "maxspeed": "50", **tags}, FREE)
+    texts = {
+        FORWARD: (reading.restriction, None),
+        BACKWARD: (None, reading.restriction),
+        BOTH: (reading.restriction, reading.backward_restriction),
+    }[reading.direction]
+    for text, expected in zip(texts, (forward, backward), strict=True):
+        found = (
+            ""
+            if text is None
+            else "".join(
+                letter
+                for letter, vehicle in (("t", TRUCK), ("v", VEHICLES["van-3.5t"]))
+                if judge(decode(text), vehicle).way == Way.OPEN
+            )
+        )
+        assert found == expected
+
+
+@pytest.mark.parametrize(
+    "key",
+    ["maxbogieweight", "maxaxles", "hgv:minaxles", "maxweight:bridge", "access:bdouble",
+     "vehicle:weird", "vehicle:emergency", "oneway:tram"],
+)  # fmt: skip
+def test_what_sounds_like_a_restriction_and_is_not_read_is_counted(key):
+    remarks = way(**{key: "9", "maxspeed": "50"}).remarks
+    assert f"restrictions not read: {key}" in remarks
+    assert is_driving_tag(key)
+
+
+NAMES = st.sampled_from(
+    ["hgv", "goods", "motor_vehicle", "vehicle", "access", "hazmat", "trailer", "hov", "bus",
+     "maxheight", "maxweight", "maxwidth", "maxlength", "maxaxleload", "maxweightrating",
+     "maxbogieweight", "hgv_articulated", "oneway"]
+)  # fmt: skip
+TAILS = st.sampled_from(
+    ["", ":hgv", ":forward", ":backward", ":lanes", ":conditional", ":physical", ":goods",
+     ":hgv:forward", ":forward:conditional", ":water", ":x", "_y", ":bus"]
+)  # fmt: skip
+
+
+@given(NAMES, TAILS, st.text(max_size=8) | st.sampled_from(["no", "yes", "3.5", "no @ (Su)"]))
+def test_no_such_tag_is_passed_over_in_silence(name, tail, value):
+    plain = way(maxspeed="50")
+    reading = read_way({"highway": "primary", "maxspeed": "50", name + tail: value}, FREE)
+    changed = reading != plain
+    opens = read_value(value)[0] == Way.OPEN or not value.strip()
+    harmless = opens or read_limit(value, "m") == float("inf") or name in ("hov", "bus", "oneway")
+    lane_free = tail == ":lanes" and not all(part.strip() for part in value.split("|"))
+    assert changed or harmless or lane_free
+
+
+@pytest.mark.parametrize(
+    ("tags", "restriction"),
+    [
+        ({}, ""),
+        ({"hgv": "yes"}, ""),
+        ({"hgv": "designated"}, ""),
+        ({"hgv": "no"}, "hgv=no"),
+        ({"hgv": " No "}, "hgv=No"),
+        ({"access": "private"}, "access=private"),
+        ({"access": "yes"}, ""),
+        ({"motor_vehicle": "permissive"}, ""),
+        # The tag that is about trucks decides before those about all.
+        ({"access": "no", "hgv": "yes"}, "access=no hgv=yes"),
+        ({"access": "yes", "hgv": "no"}, "access=yes hgv=no"),
+        ({"hgv:conditional": "no @ (22:00-06:00)"}, "hgv:conditional=no%20@%20(22:00-06:00)"),
+        ({"maxheight": "3.5", "name": "Via Roma"}, "maxheight=3.5"),
+        ({"maxheight": "default"}, ""),
+        ({"hov:lanes": "designated||"}, ""),
+        ({"hov:lanes": "designated|yes|yes"}, ""),
+        ({"lanes:bus": "1", "lanes": "3"}, ""),
+        ({"hgv:national_network": "yes"}, ""),
+        ({"hazmat:1.1": "no"}, "hazmat:1.1=no"),
+    ],
+)
+def test_what_is_restricted_is_kept(tags, restriction):
+    reading = way(**tags)
+    assert reading.allowed
+    assert (reading.restriction, reading.backward_restriction) == (restriction, restriction)
+
+
+@pytest.mark.parametrize(
+    ("tags", "closed_by"),
+    [
+        ({"access": "no"}, "access"),
+        ({"motor_vehicle": "no"}, "motor_vehicle"),
+        ({"vehicle": "no"}, "vehicle"),
+        ({"motor_vehicle": "agricultural"}, "motor_vehicle"),
+        ({"vehicle": "yes", "motor_vehicle": "no"}, "motor_vehicle"),
+        ({"hgv": "no", "goods": "no"}, "hgv, goods"),
+        ({"hov": "only"}, "hov"),
+        ({"hov:lanes": "designated|designated"}, "hov"),
+        ({"access": "psv"}, "access"),
+    ],
+)
+def test_a_road_that_nobody_we_plan_for_may_drive_is_none(tags, closed_by):
+    reading = way(**tags)
+    assert (reading.allowed, reading.closed_by) == (False, closed_by)
 
 
 @pytest.mark.parametrize(
@@ -214,14 +337,23 @@ def test_toll(tags, toll):
     assert way(**tags).toll is toll
 
 
-def test_conditional_tags_are_ignored_but_counted_one_by_one():
+def test_conditions_are_kept_for_the_vehicle_that_asks():
     reading = way(
         maxspeed="60", maxspeed__conditional="40 @ wet", hgv__conditional="no @ (Su)",
         access__conditional="no @ winter",
     )  # fmt: skip
     assert reading.speed_kmh == 60
     assert reading.allowed
-    assert reading.remarks == ("conditional tags ignored",) * 3
+    assert "hgv:conditional" in reading.restriction
+    assert set(reading.remarks) == {
+        "speed limits at some hours or in some weather, not judged",
+        "restrictions read: hgv:conditional", "restrictions read: access:conditional",
+    }  # fmt: skip
+
+
+def test_a_speed_limit_for_heavy_vehicles_is_that_of_a_truck_and_not_of_a_van():
+    reading = way(maxspeed="100", maxspeed__conditional="60 @ (weight>7.5)")
+    assert (reading.speed_kmh, reading.posted_kmh) == (60, 100)
 
 
 def test_the_tags_that_are_read_are_those_that_are_asked_for():

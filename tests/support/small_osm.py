@@ -24,7 +24,7 @@ WAYS = {
     104: ([7, 8], {**MOTORWAY, "oneway": "-1", "maxspeed": "none"}),
     105: ([3, 6], {"highway": "motorway_link", "oneway": "yes", "destination": "Verona"}),
     106: ([6, 9], {"highway": "primary", "maxspeed": "40", "maxspeed:backward": "50"}),
-    107: ([5, 11, 8], {"highway": "motorway_link", "oneway": "yes", "hgv": "no"}),
+    107: ([5, 11, 8], {"highway": "motorway_link", "oneway": "yes", "motor_vehicle": "no"}),
     108: ([8, 5], {"highway": "motorway_link", "oneway": "yes"}),
     109: ([9, 10], {"highway": "residential"}),
 }

@@ -96,6 +96,7 @@ def test_who_may_pass(tags, truck, van):
         ({"hazmat:adr_tunnel_cat": "E"}, "BCDE"),
         ({"hazmat:adr_tunnel_cat": "A"}, ""),
         ({"hazmat:C": "no"}, "BC"),
+        ({"hazmat:1.3": "no"}, "BCDE"),
     ],
 )
 def test_dangerous_goods(tags, codes):

@@ -8,12 +8,12 @@ from typing import Any
 from ...network.road_network import ROAD_CLASSES
 from ..road_choice import RoadChoice
 from ..truck import NO, is_driving_tag, read_speed_kmh
+from ..way_sides import is_restriction
 from .graph_arrays import Attributes
 from .graph_values import flag, parts
 
 __all__ = ["class_code", "edge_class", "truck_tags"]
 
-ACCESS_KEYS = ("hgv", "motor_vehicle", "vehicle", "access")
 TOLL_KEYS = ("toll:hgv", "toll:N3", "toll")
 
 
@@ -100,9 +100,10 @@ def _tag_text(value: Any) -> str:
 def _one_value(key: str, values: list[str], choice: RoadChoice) -> str:
     if len(values) == 1:
         return values[0]
-    if key in ACCESS_KEYS:
-        choice.counts["edges with several access tags, the strictest taken"] += 1
-        return next((text for text in values if text.strip().lower() in NO), values[0])
+    if is_restriction(key) and not key.endswith(":conditional"):
+        # Access and limits alike: a list is as strict as its strictest part.
+        choice.counts["edges with several restrictions, the strictest taken"] += 1
+        return ";".join(values)
     if key in TOLL_KEYS:
         choice.counts["edges with toll on a part, taken for the whole"] += 1
         return next((text for text in values if text not in NO), values[0])

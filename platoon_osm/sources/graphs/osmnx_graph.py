@@ -282,7 +282,7 @@ def _network(
         reading = choice.read(tags)
         if reading is not None:
             kept.append(edge)
-            readings.append(reading)
+            readings.append(reading.against if tags.get("oneway") == "-1" else reading.along)
             kinds.append(class_code(kind))
     choice.check_any(what)
     nodes = list(nodes)
@@ -293,6 +293,14 @@ def _network(
     net = RoadNetwork.from_edges(
         **geometry,
         speed_mps=np.array([reading.speed_kmh for reading in readings]) / 3.6,
+        posted_mps=np.array([reading.posted_kmh for reading in readings]) / 3.6,
+        restriction=np.array(
+            [
+                joined(item.get("restriction")) or side.restriction
+                for item, side in zip(data, readings, strict=True)
+            ],
+            object,
+        ),
         node_name=np.array([joined(sign.get("name")) for sign in signs], object),
         node_ref=np.array([joined(sign.get("ref")) for sign in signs], object),
         road_class=np.array(kinds, np.uint8),

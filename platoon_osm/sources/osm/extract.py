@@ -17,7 +17,15 @@ from ...network.load_report import LoadReport
 from ...network.preparing.simplify import merge_chains
 from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
 from ...network.texts import encode_texts
-from ..truck import BACKWARD, FORWARD, TruckRules, WayReading, is_driving_tag, read_way
+from ..truck import (
+    BACKWARD,
+    FORWARD,
+    TruckRules,
+    WayReading,
+    dropped,
+    is_driving_tag,
+    read_way,
+)
 from .raw_osm import RawMap, TagReader, read_raw
 
 __all__ = ["MOTORWAY_CLASSES", "read_osm"]
@@ -25,7 +33,7 @@ __all__ = ["MOTORWAY_CLASSES", "read_osm"]
 MOTORWAY_CLASSES = ("motorway", "motorway_link")
 NAME_TAGS = frozenset({"ref", "name", "destination"})
 PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population"})
-NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0)
+NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0, 1.0, 1.0)
 
 
 def read_osm(
@@ -58,9 +66,9 @@ def read_osm(
     raw = read_raw(file, classes)
     ways = _interpret(raw, set(classes), rules or TruckRules())
     if not ways.kept.any():
-        found = "its ways are closed to trucks" if ways.road.any() else "it has no such way"
+        found = "its ways are closed to all of them" if ways.road.any() else "it has no such way"
         raise MapDataError(
-            f"{file}: no road of class {', '.join(classes)} for trucks ({found}); "
+            f"{file}: no road of class {', '.join(classes)} for goods vehicles ({found}); "
             "load other classes or another area"
         )
     net = _network(file, raw, ways)
@@ -76,7 +84,7 @@ def read_osm(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Ways:
-    """What the tags of each way mean, (w,) each; `ref` and `name` are codes in `texts`.
+    """What the tags of each way mean, (w,) each; those that are texts are codes in `texts`.
 
     A way that is no road of the wanted classes, such as a service area, is not `road`.
     """
@@ -86,6 +94,10 @@ class _Ways:
     direction: NDArray[np.int8]
     speed_mps: NDArray[np.float64]
     backward_mps: NDArray[np.float64]
+    posted_mps: NDArray[np.float64]
+    backward_posted_mps: NDArray[np.float64]
+    restriction: NDArray[np.int64]
+    backward_restriction: NDArray[np.int64]
     road_class: NDArray[np.uint8]
     toll: NDArray[np.bool_]
     ref: NDArray[np.int64]
@@ -131,13 +143,23 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         by_way: NDArray[Any] = np.array(values, dtype)[reading_of]
         return by_way
 
+    def mps(kmh: list[float]) -> NDArray[np.float64]:
+        return looked_up(kmh, np.float64) / 3.6
+
+    def coded(texts: list[str]) -> NDArray[np.int64]:
+        return looked_up([names.setdefault(text, len(names)) for text in texts], np.int64)
+
     kept = looked_up([reading.allowed for reading in readings], bool)
     return _Ways(
         road=reading_of > 0,
         kept=kept,
         direction=looked_up([reading.direction for reading in readings], np.int8),
-        speed_mps=looked_up([reading.speed_kmh for reading in readings], np.float64) / 3.6,
-        backward_mps=looked_up([reading.backward_kmh for reading in readings], np.float64) / 3.6,
+        speed_mps=mps([reading.speed_kmh for reading in readings]),
+        backward_mps=mps([reading.backward_kmh for reading in readings]),
+        posted_mps=mps([reading.posted_kmh for reading in readings]),
+        backward_posted_mps=mps([reading.backward_posted_kmh for reading in readings]),
+        restriction=coded([reading.restriction for reading in readings]),
+        backward_restriction=coded([reading.backward_restriction for reading in readings]),
         road_class=road_class.astype(np.uint8),
         toll=looked_up([reading.toll for reading in readings], bool),
         ref=ref_of,
@@ -157,7 +179,7 @@ def _counts(readings: list[WayReading], ways: list[int]) -> dict[str, int]:
     kept = 0
     for reading, number in zip(readings[1:], ways[1:], strict=True):
         if not reading.allowed:
-            counts["ways dropped: closed to trucks"] += number
+            counts[dropped(reading, "ways")] += number
             continue
         kept += number
         for remark in reading.remarks:
@@ -189,7 +211,9 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     tails = np.concatenate([tail[forward], head[backward]])
     heads = np.concatenate([head[forward], tail[backward]])
     source_way = np.concatenate([of[forward], of[backward]])
-    speed_mps = np.concatenate([ways.speed_mps[of[forward]], ways.backward_mps[of[backward]]])
+
+    def both(along: NDArray[Any], against: NDArray[Any]) -> NDArray[Any]:
+        return np.concatenate([along[of[forward]], against[of[backward]]])
 
     junctions, points = _named_nodes(raw, ids, np.flatnonzero(~ways.road))
     texts, codes = encode_texts(
@@ -205,7 +229,10 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     try:
         net = RoadNetwork.from_edges(
             tails, heads,
-            lon=raw.lon[at], lat=raw.lat[at], speed_mps=speed_mps,
+            lon=raw.lon[at], lat=raw.lat[at],
+            speed_mps=both(ways.speed_mps, ways.backward_mps),
+            posted_mps=both(ways.posted_mps, ways.backward_posted_mps),
+            restriction=codes[0][both(ways.restriction, ways.backward_restriction)],
             node_id=ids, node_name=node_name, node_ref=node_ref,
             road_class=ways.road_class[source_way], ref=codes[0][ways.ref[source_way]],
             name=codes[0][ways.name[source_way]], toll=ways.toll[source_way],

@@ -18,7 +18,7 @@ from ...network.road_network import RoadNetwork
 from ..file_identity import osm_source, read_bytes
 from ..graphs.edge_tags import class_code
 from ..road_choice import RoadChoice
-from ..truck import BACKWARD, BOTH, TruckRules, WayReading, read_way
+from ..truck import BACKWARD, BOTH, Side, TruckRules
 
 __all__ = ["read_overpass_cache"]
 
@@ -133,7 +133,7 @@ def _tags(element: Mapping[str, Any]) -> dict[str, str]:
     return {str(key): str(value) for key, value in element.get("tags", {}).items()}
 
 
-Segment = tuple[int, int, WayReading, Mapping[str, str], int]
+Segment = tuple[int, int, Side, Mapping[str, str], int]
 
 
 def _segments(
@@ -144,10 +144,6 @@ def _segments(
     reading = choice.read(tags)
     if reading is None:
         return
-    backward = reading
-    if reading.direction == BOTH and any(":backward" in key for key in tags):
-        # Only the speed of the other side differs; its remarks would count the way twice.
-        backward = read_way({**tags, "oneway": "-1"}, choice.rules)
     for u, v in pairwise(way["nodes"]):
         if u not in nodes or v not in nodes:
             choice.counts["segments dropped: node not in the answer"] += 1
@@ -155,9 +151,9 @@ def _segments(
         if u == v:
             continue
         if reading.direction != BACKWARD:
-            yield u, v, reading, tags, _id(way)
+            yield u, v, reading.along, tags, _id(way)
         if reading.direction in (BACKWARD, BOTH):
-            yield v, u, backward, tags, _id(way)
+            yield v, u, reading.against, tags, _id(way)
 
 
 def _network(segments: list[Segment], nodes: Mapping[int, Place], source: Source) -> RoadNetwork:
@@ -173,14 +169,16 @@ def _network(segments: list[Segment], nodes: Mapping[int, Place], source: Source
         np.array([position[v] for _, v, *_ in segments], np.int32),
         lon=np.array([nodes[node][0] for node in used]),
         lat=np.array([nodes[node][1] for node in used]),
-        speed_mps=np.array([reading.speed_kmh for _, _, reading, *_ in segments]) / 3.6,
+        speed_mps=np.array([side.speed_kmh for _, _, side, *_ in segments]) / 3.6,
+        posted_mps=np.array([side.posted_kmh for _, _, side, *_ in segments]) / 3.6,
+        restriction=np.array([side.restriction for _, _, side, *_ in segments], object),
         node_id=np.array(used, np.int64),
         node_name=np.array([sign.get("name", "") for sign in signs], object),
         node_ref=np.array([sign.get("ref", "") for sign in signs], object),
         road_class=np.array([class_code(item["highway"]) for item in tags], np.uint8),
         ref=np.array([item.get("ref", "") for item in tags], object),
         name=np.array([item.get("name", item.get("destination", "")) for item in tags], object),
-        toll=np.array([reading.toll for _, _, reading, *_ in segments], np.bool_),
+        toll=np.array([side.toll for _, _, side, *_ in segments], np.bool_),
         way_id=np.array([way for *_, way in segments], np.int64),
         source=source,
     )

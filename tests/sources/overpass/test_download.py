@@ -115,7 +115,7 @@ def test_graphml_of_a_box_and_the_cache(server, tmp_path):
     assert path == "/api/interpreter"
     assert '["highway"~"^(motorway|motorway_link)$"]' in query
     net = read_graphml(file, MOTORWAYS, TruckRules("IT"))
-    assert net.report()["edges dropped: closed to trucks"] == 2
+    assert net.report()["edges dropped: closed to all by motor_vehicle"] == 2
     assert "Verona Est" in [net.junction_name(v) for v in range(net.n)]
     assert net.toll.any()
 
@@ -214,7 +214,7 @@ def test_only_roads_closed_to_trucks(server, tmp_path):
     answer = as_overpass()
     for element in answer["elements"]:
         if element["type"] == "way":
-            element["tags"]["hgv"] = "no"
+            element["tags"]["motor_vehicle"] = "no"
     server.interpreter = json.dumps(answer).encode()
     with pytest.raises(MapDataError, match="closed to them"):
         fetch(server, tmp_path / "verona.platoon")
