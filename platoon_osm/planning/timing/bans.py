@@ -313,13 +313,18 @@ def _moved(before: Plan, after: Plan, index: int) -> str:
 
 def _breaking(plan: Plan, left: Sequence[Broken]) -> Iterator[str]:
     """Remark who drives in which closing, and when."""
+    assert plan.timetable is not None
+    clock = plan.timetable.clock
     together: dict[tuple[int, str], list[Broken]] = {}
     for one in left:
         together.setdefault((one.vehicle, one.why), []).append(one)
     for (index, why), own in together.items():
         names = dict.fromkeys(one.road or "a road without a number" for one in own)
         roads = listed(list(names))
-        begin, end = min(one.begin for one in own), max(one.end for one in own)
+        begin, end = (
+            clock.moment(clock.seconds(at))
+            for at in (min(one.begin for one in own), max(one.end for one in own))
+        )
         yield (
             f"{plan.trips[index].vehicle} drives while it may not ({why}), from "
             f"{begin:%Y-%m-%d %H:%M} to {end:%Y-%m-%d %H:%M} on {roads}; "

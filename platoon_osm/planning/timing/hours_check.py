@@ -10,8 +10,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...driving.bans.judging import banned
-from ...driving.bans.rules import Road
+from ...driving.bans.rules import Road, bans_of
 from ...network.restrictions import decode
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
@@ -74,10 +77,17 @@ def _broken(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Iterat
     if plan.timetable is None:
         return
     start = plan.timetable.clock.start
+    moments = [
+        at for times in plan.timetable.vehicles for at in (times.departure_s, times.arrival_s)
+    ]
+    bans = _Bans(*(start + timedelta(seconds=at) for at in (min(moments), max(moments))))
+    free = (net.restriction == 0) & ~_with_bans(net)
     for index, (way, times) in enumerate(zip(plan.ways, plan.timetable.vehicles, strict=True)):
         near = beside_edges(plan, way)
         for k, edge, (begin_s, _) in zip(way, near, times.legs, strict=True):
             stretch = plan.stretches[k]
+            if free[list(stretch.edges) or [edge]].all():
+                continue
             # A way beside the road has no edges: it counts as a small road of its country.
             spans = edge_times(net, stretch) if stretch.edges else [(0.0, stretch.drive_s)]
             edges = stretch.edges or (edge,)
@@ -86,7 +96,7 @@ def _broken(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Iterat
                 if own < 0 or last - first <= 2 * HAIR:
                     continue
                 road = Road.of_edge(net, own) if stretch.edges else BESIDE
-                found = _closed(net, own, road, vehicles[index], first + HAIR, last - HAIR)
+                found = _closed(net, bans, own, road, vehicles[index], first + HAIR, last - HAIR)
                 for begin, end, why in found:
                     yield Broken(index, road.ref, begin, end, why)
 
@@ -116,15 +126,55 @@ def beside_edges(plan: Plan, way: Sequence[int]) -> list[int]:
     ]
 
 
+class _Bans:
+    """Bans of the whole time of a plan, asked for once for each kind of road and vehicle."""
+
+    def __init__(self, first: datetime, last: datetime) -> None:
+        self._first, self._last = first, last
+        self._known: dict[tuple[str, Vehicle, Road], list[tuple[datetime, datetime, str]]] = {}
+
+    def between(
+        self, country: str, vehicle: Vehicle, road: Road, first: datetime, last: datetime
+    ) -> Iterator[tuple[datetime, datetime, str]]:
+        key = (country, vehicle, road)
+        if key not in self._known:
+            self._known[key] = [
+                (*self._face(ban.begin, ban.end), f"the {ban.name} of {country}")
+                for ban in banned(country, vehicle, self._first, self._last, road)
+            ]
+        for begin, end, why in self._known[key]:
+            if begin < last and first < end:
+                yield max(first, begin), min(last, end), why
+
+    def _face(self, begin: datetime, end: datetime) -> tuple[datetime, datetime]:
+        """Return moments in the zone of the plan, or without one if it has none."""
+        zone = self._first.tzinfo
+        if zone is None:
+            return begin.replace(tzinfo=None), end.replace(tzinfo=None)
+        return begin.astimezone(zone), end.astimezone(zone)
+
+
+def _with_bans(net: RoadNetwork) -> NDArray[np.bool_]:
+    """Mark the edges of countries that have bans."""
+    codes = [
+        code for code in np.unique(net.country).tolist() if bans_of(net.texts[code][:2].upper())
+    ]
+    return np.isin(net.country, codes)
+
+
 def _closed(
-    net: RoadNetwork, edge: int, road: Road, vehicle: Vehicle, first: datetime, last: datetime
+    net: RoadNetwork,
+    bans: _Bans,
+    edge: int,
+    road: Road,
+    vehicle: Vehicle,
+    first: datetime,
+    last: datetime,
 ) -> Iterator[tuple[datetime, datetime, str]]:
     country = country_of_edge(net, edge)
-    for ban in banned(country, vehicle, first, last, road):
-        begin, end = ban.begin, ban.end
-        if first.tzinfo is None:
-            begin, end = begin.replace(tzinfo=None), end.replace(tzinfo=None)
-        yield max(first, begin), min(last, end), f"the {ban.name} of {country}"
+    yield from bans.between(country, vehicle, road, first, last)
+    if not net.restriction[edge]:
+        return
     layers = decode(net.texts[int(net.restriction[edge])])
     if road is BESIDE or not any(has_conditions(layer) for layer in layers):
         return

@@ -37,15 +37,20 @@ def without_times(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> 
     """
     roads: dict[str, float] = {}
     countries: dict[str, None] = {}
+    known: dict[tuple[int, ...], bool] = {}
     for index, way in enumerate(plan.ways):
         for edge in (edge for k in way for edge in plan.stretches[k].edges):
+            # What is alike in all that is asked is asked once.
+            key = *(int(column[edge]) for column in (net.country, net.road_class, net.ref)), index
             country = country_of_edge(net, edge)
+            if key not in known:
+                known[key] = _has_bans(net, edge, vehicles[index], country)
+            if known[key]:
+                countries[country] = None
             if _depends(net, edge, vehicles[index], country):
                 name = net.edge_ref(edge) or net.edge_name(edge) or "a road without a name"
                 own = f"{plan.trips[index].vehicle}: {name}"
                 roads[own] = roads.get(own, 0.0) + float(net.length_m[edge])
-            if country not in countries and _has_bans(net, edge, vehicles[index], country):
-                countries[country] = None
     if roads:
         told = [f"{own} ({metres / 1000:.1f} km)" for own, metres in roads.items()]
         yield f"passes roads with hours, not judged without times: {listed(told)}"

@@ -286,3 +286,15 @@ def test_the_check_sees_what_the_times_break():
     assert near(found.begin, "2026-03-02T09:30")
     assert near(found.end, "2026-03-02T10:15")
     assert found.why == "the hours of S 2 (hgv=no)"
+
+
+def test_a_remark_tells_times_as_clocks_show_them():
+    """Clocks go forward on the Sunday: 9:00 is seven hours after midnight and eight before it."""
+    trip = po.Trip(
+        "A", "Torino", "Trieste", at("2026-03-28T23:00"), at("2026-03-29T08:00"),
+        at("2026-03-29T15:00"),
+    )  # fmt: skip
+    other = po.Trip("B", "Torino", "Trieste", at("2026-03-29T07:00"), None, at("2026-03-29T15:00"))
+    plan = planned(italy(), trip, other)
+    assert {one.vehicle for one in broken(plan, italy())} == {1}
+    assert any("B drives while" in remark and "09:00 to" in remark for remark in plan.remarks)
