@@ -63,15 +63,16 @@ def lawful_company(
     if not harmed:
         return plan
     best = best_answer(question)
-    alone = finish(*_apart(question, best, harmed))
-    never = breaking(alone)
-    if len(never) >= len(broken):
+    never = breaking(finish(*_apart(question, best, harmed)))
+    could = broken - never
+    hurt = {k for group in groups if could & set(group) for k in group}
+    if not hurt:
         return plan
-    if never & harmed:
-        some = finish(*_apart(question, best, never & harmed))
-        if len(breaking(some)) <= len(never):
+    if never & hurt:
+        some = finish(*_apart(question, best, never & hurt))
+        if breaking(some) <= broken - could:
             return some
-    return alone
+    return finish(*_apart(question, best, hurt))
 
 
 def _apart(question: Question, best: Best, who: Collection[int]) -> tuple[Best, list[str]]:

@@ -248,7 +248,7 @@ WINDOWS = st.tuples(
 @settings(max_examples=20)
 @given(st.lists(WINDOWS, min_size=1, max_size=2), st.integers(0, 23), st.integers(1, 20))
 def test_nobody_is_on_a_closed_road_if_that_can_be(windows, begin, long):
-    """With room in the windows nobody breaks the hours; windows are kept in any case."""
+    """With room in the windows nobody breaks the hours, and windows are kept in any case."""
     end = (begin + long) % 24
     net = straight(f"no @ ({begin:02}:00-{end:02}:00)") if begin != end else straight()
     trips = []
@@ -273,6 +273,9 @@ def test_nobody_is_on_a_closed_road_if_that_can_be(windows, begin, long):
         assert named == (index in left)
         if len(trips) == 1 and (room is None or room >= 28):
             assert not left
+    # Company makes nobody break the hours.
+    for index in left if len(trips) > 1 else ():
+        assert broken(planned(net, trips[index]), net)
 
 
 def test_the_check_sees_what_the_times_break():
