@@ -37,8 +37,11 @@ from .unjudged import without_times
 
 __all__ = ["with_hours"]
 
-BEFORE_S, AFTER_S = 4 * 86_400.0, 10 * 86_400.0
-"""How long before and after the times without bans others are looked for [s]."""
+AROUND_S = 10 * 86_400.0
+"""How long before and after the times without closings others are looked for [s]."""
+
+LONGEST_S = 100 * 86_400.0
+"""Times of a group that lie farther apart are not moved [s]."""
 
 Span = tuple[float, float]
 
@@ -119,14 +122,7 @@ class _Times:
             for times in plan.timetable.vehicles
         ]
         self.leaves = [times.departure_s + self.shift for times in plan.timetable.vehicles]
-        ends = [at for spans in self.spans for span in spans for at in span]
-        named = [
-            at
-            for window in self.windows
-            for at in (window.earliest, window.latest, window.arrival)
-            if at is not None
-        ]
-        self.between = min(ends + named) - BEFORE_S, max(ends + named) + AFTER_S
+        self.between = 0.0, 0.0
         self.hours = RoadHours(net, first, *self.between)
         self.cuts: dict[int, set[int]] = {}
         self.found: dict[int, tuple[float, list[Span]]] = {}
@@ -143,6 +139,11 @@ class _Times:
 
     def _move(self, group: tuple[int, ...]) -> None:
         """Choose times for a group: without stops if that will do."""
+        ends = [at for index in group for span in self.spans[index] for at in span]
+        if max(ends) - min(ends) > LONGEST_S:
+            return  # it keeps its times, and is named for what it breaks
+        self.between = min(ends) - AROUND_S, max(ends) + AROUND_S
+        self.hours = RoadHours(self.net, self.first, *self.between)
         whole = self._driven(group, stops=False)
         starts, good = self._starts(group, whole, may_wait=False)
         driven = whole

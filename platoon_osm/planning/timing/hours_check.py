@@ -77,13 +77,12 @@ def _broken(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Iterat
     if plan.timetable is None:
         return
     start = plan.timetable.clock.start
-    moments = [
-        at for times in plan.timetable.vehicles for at in (times.departure_s, times.arrival_s)
-    ]
-    bans = _Bans(*(start + timedelta(seconds=at) for at in (min(moments), max(moments))))
     free = (net.restriction == 0) & ~_with_bans(net)
     for index, (way, times) in enumerate(zip(plan.ways, plan.timetable.vehicles, strict=True)):
         near = beside_edges(plan, way)
+        bans = _Bans(
+            *(start + timedelta(seconds=at) for at in (times.departure_s, times.arrival_s))
+        )
         for k, edge, (begin_s, _) in zip(way, near, times.legs, strict=True):
             stretch = plan.stretches[k]
             if free[list(stretch.edges) or [edge]].all():
@@ -127,7 +126,7 @@ def beside_edges(plan: Plan, way: Sequence[int]) -> list[int]:
 
 
 class _Bans:
-    """Bans of the whole time of a plan, asked for once for each kind of road and vehicle."""
+    """Bans of the whole journey of a vehicle, asked for once for each kind of road."""
 
     def __init__(self, first: datetime, last: datetime) -> None:
         self._first, self._last = first, last

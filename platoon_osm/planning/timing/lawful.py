@@ -30,8 +30,15 @@ __all__ = ["lawful_starts"]
 
 Floats = NDArray[np.float64]
 
-SLACK_S = 1e-4
-"""How far a later aim may move an earlier one from its least value [s]."""
+SLACK = 1e-6
+"""How far a later aim may move an earlier one from its least value, as a share of the time looked
+at: by so much a solver's 1 may be off."""
+
+LEAST_SLACK_S = 1e-4
+"""But no less than this [s]."""
+
+ONE_MORE = 0.5
+"""Less than one more start that breaks a closing."""
 
 MARGIN_S = 2.0
 """Farther from the ends of an interval than what a solver takes for nothing [s]."""
@@ -104,6 +111,7 @@ class _Choices:
         margin: float,
     ) -> None:
         self.linear = Programme(pieces, windows, asked)
+        self.slack = max(LEAST_SLACK_S, SLACK * (between[1] - between[0]))
         self.size = self.linear.size
         self.breaking: list[int] = []
         self.sums: list[dict[int, float]] = []
@@ -153,13 +161,12 @@ class _Choices:
                 options={"time_limit": LIMIT_S},
             )  # fmt: skip
             if found.x is None:
-                raise ScenarioError(
-                    f"schedule: the solver found no times ({found.message}); check the times of "
-                    "the trips"
-                )
+                break  # what earlier aims gave will do; the times within are found exactly
             values = found.x
+            counts = not aim[: linear.size].any()
             linear.limit(
-                {k: aim[k] for k in np.flatnonzero(aim).tolist()}, float(aim @ values) + SLACK_S
+                {k: aim[k] for k in np.flatnonzero(aim).tolist()},
+                float(aim @ values) + (ONE_MORE if counts else self.slack),
             )
         return {root: gap for k, (root, gap) in self.gaps.items() if values[k] > 0.5}
 

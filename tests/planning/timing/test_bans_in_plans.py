@@ -301,3 +301,13 @@ def test_a_remark_tells_times_as_clocks_show_them():
     plan = planned(italy(), trip, other)
     assert {one.vehicle for one in broken(plan, italy())} == {1}
     assert any("B drives while" in remark and "09:00 to" in remark for remark in plan.remarks)
+
+
+def test_trips_of_other_years_are_judged_each():
+    plan = planned(
+        italy(),
+        po.Trip("A", "Torino", "Milano", datetime(1950, 1, 1, 8)),
+        po.Trip("B", "Torino", "Milano", datetime(2100, 3, 7, 12)),
+    )
+    assert broken(plan, italy()) == []
+    assert [remark[:10] for remark in plan.remarks] == ["A keeps to", "B keeps to"]

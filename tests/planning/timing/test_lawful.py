@@ -178,3 +178,24 @@ def test_who_cannot_but_break_a_closing_is_in_time_all_the_same():
     window = Window(0.0, None, 20.0)
     starts = lawful_starts(pieces, [window], [window], [((-10.0, 50.0),)], (-10.0, 100.0))
     assert starts[0] == pytest.approx(0.0, abs=1e-3)
+
+
+@settings(max_examples=10)
+@given(st.lists(st.integers(600, 40_000), min_size=1, max_size=4), st.integers(0, 86_400))
+def test_nights_of_twenty_days_are_kept_to_the_second(drives, ready):
+    """A solver's 1 is off by 1e-6, seconds of twenty days; times are exact all the same."""
+    nights = tuple((day * 86_400.0 - 7200, day * 86_400.0 + 18_000) for day in range(-10, 11))
+    way = tuple(range(len(drives)))
+    timed = [_Timed((0,), float(drive_s)) for drive_s in drives]
+    parts = [Part(drive_s, forbidden_starts([Section(0, drive_s, nights)])) for drive_s in drives]
+    window = Window(float(ready), None, None)
+    starts = lawful_starts(
+        pieces_of(timed, [way], way), [window], [window], [part.forbidden for part in parts],
+        (-864_000.0, 864_000.0),
+    )  # fmt: skip
+    for start, part in zip(starts, parts, strict=True):
+        assert not any(a + 1e-3 < start < b - 1e-3 for a, b in part.forbidden)
+    waiting = starts[-1] - starts[0] - sum(drives[:-1])
+    tried = (earliest_starts_along(parts, ready + 60 * k) for k in range(2880))
+    least = min(found[-1] - found[0] - sum(drives[:-1]) for found in tried)
+    assert waiting <= least + 1e-2
