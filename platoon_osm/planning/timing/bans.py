@@ -10,23 +10,23 @@ nobody can keep, the plan says.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...network.placed import network_below
 from ...network.road_network import RoadNetwork
-from ...plans.clock import MENTIONED_S, Clock, duration
+from ...plans.clock import Clock
 from ...plans.plan import Plan
 from ...plans.stretches import linked
-from ...plans.text_table import listed
 from ...plans.timetable import LATE_S, Timetable, VehicleTimes
 from ...plans.trip import Trip
 from ...plans.zones import clock_of
 from ...vehicles.profile import Vehicle
 from .forbidden import Interval, Part, Section, forbidden_starts, latest_starts_along
-from .hours_check import Broken, beside_edges, broken_hours
+from .hours_check import beside_edges, broken_hours
+from .hours_remarks import breaking, kept
 from .lawful import lawful_starts
 from .limits import NOTHING_ASKED, Window, first_named, windows_of
 from .pieces import pieces_of
@@ -82,8 +82,8 @@ def with_hours(
         return plan
     found = _Times(plan, net, trips, vehicles, patience_s).moved({one.vehicle for one in broken})
     left = broken_hours(found, net, vehicles)
-    kept = tuple(_kept(plan, found, broken, left))
-    return replace(found, remarks=(*found.remarks, *kept, *_breaking(found, left)))
+    told = (*kept(plan, found, broken, left), *breaking(found, left))
+    return replace(found, remarks=(*found.remarks, *told))
 
 
 @dataclass(frozen=True, slots=True)
@@ -277,57 +277,3 @@ def _within(sections: Sequence[Section], begin: float, end: float) -> tuple[Sect
         for one in sections
         if min(one.end_s, end) > max(one.begin_s, begin)
     )
-
-
-def _kept(
-    before: Plan, after: Plan, broken: Sequence[Broken], left: Sequence[Broken]
-) -> Iterator[str]:
-    """Remark whose times were moved, for what, and how long it stands for that."""
-    assert before.timetable is not None
-    assert after.timetable is not None
-    remaining = {(one.vehicle, one.why) for one in left}
-    for index, trip in enumerate(before.trips):
-        why = dict.fromkeys(
-            one.why for one in broken if one.vehicle == index and (index, one.why) not in remaining
-        )
-        if not why:
-            continue
-        yield f"{trip.vehicle} keeps to {listed(list(why))}: {_moved(before, after, index)}"
-
-
-def _moved(before: Plan, after: Plan, index: int) -> str:
-    """Return how far a departure was moved, and how much longer the vehicle stands."""
-    assert before.timetable is not None
-    assert after.timetable is not None
-    old, new = before.timetable.vehicles[index], after.timetable.vehicles[index]
-    moved = after.timetable.clock.moment(new.departure_s) - before.timetable.clock.moment(
-        old.departure_s
-    )
-    later, stood = moved.total_seconds(), new.waiting_s - old.waiting_s
-    parts = []
-    if abs(later) >= MENTIONED_S:
-        parts.append(f"leaves {duration(abs(later))} {'later' if later > 0 else 'earlier'}")
-    if stood >= MENTIONED_S:
-        parts.append(f"stands {duration(stood)} more on its way")
-    return f"it {' and '.join(parts)}" if parts else "it goes with others at other times"
-
-
-def _breaking(plan: Plan, left: Sequence[Broken]) -> Iterator[str]:
-    """Remark who drives in which closing, and when."""
-    assert plan.timetable is not None
-    clock = plan.timetable.clock
-    together: dict[tuple[int, str], list[Broken]] = {}
-    for one in left:
-        together.setdefault((one.vehicle, one.why), []).append(one)
-    for (index, why), own in together.items():
-        names = dict.fromkeys(one.road or "a road without a number" for one in own)
-        roads = listed(list(names))
-        begin, end = (
-            clock.moment(clock.seconds(at))
-            for at in (min(one.begin for one in own), max(one.end for one in own))
-        )
-        yield (
-            f"{plan.trips[index].vehicle} drives while it may not ({why}), from "
-            f"{begin:%Y-%m-%d %H:%M} to {end:%Y-%m-%d %H:%M} on {roads}; "
-            "give it other times"
-        )
