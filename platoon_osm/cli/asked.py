@@ -59,6 +59,14 @@ def asked_options(verb: Run) -> Run:
             WHAT, "--access-limit-km", type=float,
             help="How far from every road a place may be; else 50.",
         ),
+        _option(
+            WHAT, "--profile",
+            help="Vehicle of trips that name none: eu-40t, eu-lng, us-80k-lb, van-3.5t, ...",
+        ),
+        _option(
+            WHAT, "--close", multiple=True, metavar="ROAD",
+            help='A road that counts as closed: "way 123", "lon, lat", "A 22"; as often as needed.',
+        ),
         _option(WHAT, "--preset", help="Costs by name; those there are stand below."),
         _option(
             WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
@@ -112,6 +120,8 @@ def asked_scenario(scenario: Path | None, given: dict[str, Any]) -> Scenario:
         raise ScenarioError("--sheet names a sheet of --trips; give that too")
     network = _named({"source": given.pop("network")} | _taken(given, NETWORK_KEYS))
     options = _named(_taken(given, OPTION_KEYS))
+    if not options.get("close"):
+        options.pop("close", None)
     costs = _costs(given.pop("costs"))
     read = None if scenario is None else read_scenario(scenario, table, sheet)
     return changed(

@@ -20,7 +20,7 @@ from ..plans.trip import Trip
 from ..search.protocol import EngineName
 from ..search.searches import Searches
 from ..search.trees import Trees
-from ..vehicles.profile import DEFAULT_VEHICLE
+from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle
 from .answers import Answer
 from .apart import lawful_company
 from .best import Best, best_answer
@@ -38,6 +38,7 @@ from .reasons import reasons_alone
 from .road_closures import closed_roads
 from .routers import AstarRouter, Method
 from .star import Star
+from .tight_limits import tight_limits
 from .timing.bans import with_hours
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
@@ -182,7 +183,13 @@ def solve(problem: Problem) -> Plan:
         plan = lawful_company(
             question, plan, vehicles, lambda best, why: timed(_of_best(question, best, why))
         )
-    return _with_rules(plan, problem)
+    return _with_rules(_with_limits(plan, net, vehicles), problem)
+
+
+def _with_limits(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Plan:
+    """Remark what vehicles pass with little room."""
+    remarks = tuple(tight_limits(plan, net, vehicles))
+    return replace(plan, remarks=(*plan.remarks, *remarks)) if remarks else plan
 
 
 def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:

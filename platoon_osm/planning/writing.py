@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,7 @@ from ..plans.records import (
     Stretch,
 )
 from ..plans.stretches import Run, runs_along, stretched
+from ..vehicles.profile import DEFAULT_VEHICLE
 from .ends import TripEnds
 from .fleet import Fleet
 from .positions import proved_by_position
@@ -113,7 +115,10 @@ def written_plan(
         )  # fmt: skip
 
     trips = tuple(
-        _trip(net, fleet, index, ends[index], route, reason)
+        replace(
+            _trip(net, fleet, index, ends[index], route, reason),
+            profile=problem.profile_of(problem.trips[index]) or DEFAULT_VEHICLE,
+        )
         for index, (route, reason) in enumerate(zip(alone, reasons, strict=True))
     )
     return Plan(
@@ -132,6 +137,7 @@ def written_plan(
         proof=proved_by_position(proof, fleet, stretches),
         remarks=(*_inferred(net, trips, runs, ways), *_between_junctions(net, trips, runs, ways)),
         version=__version__,
+        closed=tuple(map(str, problem.close)),
     )
 
 

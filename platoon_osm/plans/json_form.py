@@ -1,8 +1,8 @@
 """A plan as plain JSON types, and back; docs/plan.schema.json describes the form.
 
-Version 4 is the record itself. Version 3 knew no places between junctions or beside the road, and
-is read as it stands. Versions 1 and 2 held each vehicle's legs, and version 1 no times; both are
-read by `older_versions`.
+Version 5 is the record itself. Version 4 did not tell what vehicles are like, version 3 knew no
+places between junctions or beside the road; both are read as they stand. Versions 1 and 2 held each
+vehicle's legs, and version 1 no times; both are read by `older_versions`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 
 from ..costs.share import Share
 from ..errors import ScenarioError, brief
+from ..vehicles.profile import Vehicle
 from .older_versions import OLDER_VERSIONS, fields_of_older
 from .proof import Proof
 from .records import (
@@ -32,9 +33,9 @@ from .timetable import Timetable
 
 __all__ = ["PLAN_VERSION", "plan_from_dict"]
 
-PLAN_VERSION = 4
+PLAN_VERSION = 5
 
-RECORDS = (3, PLAN_VERSION)
+RECORDS = (3, 4, PLAN_VERSION)
 """Versions that are the record itself; what a later one added has a default."""
 
 Made = TypeVar("Made")
@@ -76,6 +77,7 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
                 "network": NetworkIdentity(**own["network"]),
                 "remarks": tuple(own["remarks"]),
                 "credits": tuple(own.get("credits", ())),
+                "closed": tuple(own.get("closed", ())),
                 "timetable": None if table is None else Timetable.from_dict(table),
             }
         )
@@ -104,6 +106,7 @@ def _trip(data: Mapping[str, Any]) -> PlannedTrip:
             **data,
             "origin": Stop(**data["origin"]),
             "destination": Stop(**data["destination"]),
+            "profile": _profile(data.get("profile")),
             "alone": SoloRoute(
                 **{
                     **data["alone"],
@@ -114,6 +117,10 @@ def _trip(data: Mapping[str, Any]) -> PlannedTrip:
             ),
         }
     )
+
+
+def _profile(data: Any) -> Vehicle | None:
+    return None if data is None else Vehicle(**data)
 
 
 def _stretch(data: Mapping[str, Any]) -> Stretch:

@@ -77,6 +77,8 @@ class Plan:
     masters : tuple of MasterTried
         What the plan would cost with each master that was tried, the cheapest first; one if the
         master was given.
+    closed : tuple of str
+        Roads that were to count as closed, in the words of whoever asked.
 
     Raises
     ------
@@ -102,6 +104,7 @@ class Plan:
     timetable: Timetable | None = None
     credits: tuple[str, ...] = ()
     masters: tuple[MasterTried, ...] = ()
+    closed: tuple[str, ...] = ()
     plan_version: int = field(default=PLAN_VERSION, init=False)
 
     def __post_init__(self) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..costs.share import Share
+from ..vehicles.profile import Vehicle
 
 __all__ = [
     "WHOLE", "Event", "Leg", "Line", "MasterTried", "NetworkIdentity", "PlannedTrip", "Platoon",
@@ -121,6 +122,8 @@ class PlannedTrip:
         The route it would drive alone.
     reason : str
         Why it stays alone, or how its case was read; empty if there is nothing to say.
+    profile : Vehicle or None
+        Size, mass and load that it was planned with; None in plans of older versions.
     """
 
     vehicle: str
@@ -128,6 +131,7 @@ class PlannedTrip:
     destination: Stop
     alone: SoloRoute
     reason: str = ""
+    profile: Vehicle | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from .proof_sentence import proof_sentence
 from .records import Line
 from .text_table import MOST_ROWS, listed, named, table_lines, width_of
 from .timetable import Timetable, VehicleTimes
-from .vehicles import VehiclePlan
+from .vehicles import VehiclePlan, by_profile
 
 __all__ = ["kilometre_equivalents", "summary"]
 
@@ -108,6 +108,18 @@ def _alone(plan: Plan) -> list[str]:
         f"{sum(leg.fuel_l for leg in alone):,.0f} litres of fuel in "
         f"{sum(leg.time_s for leg in alone) / 3600:,.1f} hours."
     ]
+
+
+def _profiles(plan: Plan) -> list[str]:
+    """Say what vehicles are like, as their roads were chosen for."""
+    kinds = by_profile(plan.trips)
+    if len(kinds) == 1:
+        return [f"Vehicles: {fitted(kind.told())}." for kind in kinds]
+    return _first([f"{listed(names)}: {fitted(kind.told())}." for kind, names in kinds.items()])
+
+
+def _closed(plan: Plan) -> list[str]:
+    return [f"Closed for this plan: {listed(plan.closed)}."] if plan.closed else []
 
 
 def _day(plan: Plan) -> list[str]:
@@ -219,6 +231,7 @@ def _proof(plan: Plan) -> list[str]:
 
 
 PARTS: tuple[Callable[[Plan], list[str]], ...] = (
-    _heading, _table, _alone, _day, _points, _access_legs, _leading, _proof, _notes, _credits,
+    _heading, _table, _alone, _profiles, _closed, _day, _points, _access_legs, _leading, _proof,
+    _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from ..vehicles.profile import Vehicle
 from .records import Event, Leg, PlannedTrip, Platoon, PlatoonPoint, Stop, Stretch
 
-__all__ = ["VehiclePlan", "vehicles_of"]
+__all__ = ["VehiclePlan", "by_profile", "vehicles_of"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,6 +138,26 @@ def vehicles_of(
             )
         )  # fmt: skip
     return tuple(found)
+
+
+def by_profile(trips: Sequence[PlannedTrip]) -> dict[Vehicle, list[str]]:
+    """Return the names of vehicles by what they are like.
+
+    Parameters
+    ----------
+    trips : sequence of PlannedTrip
+        Of a plan.
+
+    Returns
+    -------
+    dict of Vehicle to list of str
+        In the order of their first; without those of plans that do not tell.
+    """
+    found: dict[Vehicle, list[str]] = {}
+    for trip in trips:
+        if trip.profile is not None:
+            found.setdefault(trip.profile, []).append(trip.vehicle)
+    return found
 
 
 def _leg(stretch: Stretch, index: int, names: Sequence[str]) -> Leg:

@@ -142,7 +142,7 @@ class Vehicle:
         """
         parts = [
             f"{self.height_m:g} m high, {self.width_m:g} m wide, {self.length_m:g} m long",
-            f"{self.mass_t:g} t ({self.axle_load_t:g} t an axle)",
+            f"{self.mass_t:g} t, {self.axle_load_t:g} t an axle",
         ]
         if self.rating_t is not None and self.rating_t != self.mass_t:
             parts.append(f"rated {self.rating_t:g} t")
@@ -150,7 +150,7 @@ class Vehicle:
             parts.append(f"dangerous goods, tunnel code {self.tunnel_code}")
         limiter = self.limiter_kmh
         parts.append("no speed limiter" if limiter is None else f"limiter {limiter:g} km/h")
-        return f"{self.name}: {', '.join(parts)}"
+        return f"{self.name}, {', '.join(parts)}"
 
     def to_dict(self) -> dict[str, Any]:
         """Plain JSON form.
@@ -256,5 +256,4 @@ def vehicle_of(value: Any, where: str = "vehicle") -> Vehicle:
 
 
 def _own_name(base: Vehicle, changed: Mapping[str, Any]) -> str:
-    told = ", ".join(f"{key}={value}" for key, value in changed.items())
-    return f"{base.name} with {told}" if told else base.name
+    return f"like {base.name}" if changed else base.name

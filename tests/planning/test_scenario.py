@@ -79,7 +79,7 @@ def test_a_map_beside_the_scenario_is_found(tmp_path):
     ("old", "new", "message"),
     [
         ("case =", "cases =", "scenario has no key 'cases'; did you mean 'case'?"),
-        ("case =", "colour =", "scenario has no key 'colour'; known are title, network"),
+        ("case =", "zzz =", "scenario has no key 'zzz'; known are title, network"),
         ("tau =", "tua =", r"\[costs\] has no key 'tua'; did you mean 'tau'?"),
         ("[costs]", '[costs]\npreset = "money"', "costs preset .money. is unknown; use one"),
         ("[costs]", "[cost]", "scenario has no key 'cost'; did you mean 'costs'?"),

@@ -265,3 +265,22 @@ def test_the_kernel_and_the_barred_route_agree():
     entry, leave = np.array([[0.0, 3, 6, 9]]), np.array([[9.0, 6, 3, 0]])
     i, j, _ = best_pairs(entry, leave, platoon + bar, running_sum(np.ones(3)), np.array([9.0]))
     assert (int(i[0]), int(j[0])) in {(0, 1), (2, 3)}
+
+
+def test_a_plan_says_what_its_vehicles_are_like_and_what_they_pass_with_little_room():
+    net, at = diamond()
+    net = restricted(net, {at[NORTH, EAST]: "maxheight=4.05 maxweight=41"})
+    weights = po.paper_weights(net)
+    trips = [Trip("A", WEST, EAST), Trip("B", WEST, EAST, profile={"height_m": 3.4, "mass_t": 20})]
+    plan = po.plan_joint(net, weights, trips)
+    assert [trip.profile.height_m for trip in plan.trips] == [4.0, 3.4]
+    tight = [remark for remark in plan.remarks if "of room" in remark]
+    assert len(tight) == 2
+    assert tight[0].startswith("A passes maxheight 4.05 m with 5 cm of room (a road, ")
+    assert tight[1].startswith("A passes maxweight 41 t with 1.0 t of room (a road, ")
+    text = plan.summary()
+    assert "A: eu-40t, 4 m high, 2.55 m wide, 16.5 m long, 40 t, 11.5 t an axle, limiter" in text
+    assert "B: like eu-40t, 3.4 m high" in text
+    one = po.plan_joint(net, weights, trips[:1], close=[at[WEST, SOUTH]])
+    assert "Vehicles: eu-40t, 4 m high" in one.summary()
+    assert f"Closed for this plan: {at[WEST, SOUTH]}." in one.summary()

@@ -4,6 +4,7 @@ The files under older/ were written by those versions, on the network made below
 """
 
 import json
+from dataclasses import replace
 
 import pytest
 from places import ROOT
@@ -16,6 +17,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.trip import Trip
+from platoon_osm.vehicles.profile import DEFAULT_VEHICLE
 
 OLDER = ROOT / "tests" / "plans" / "older"
 FILES = [(version, name) for version, names in (
@@ -40,7 +42,7 @@ def net():
 @pytest.mark.parametrize(("version", "name"), FILES)
 def test_every_number_and_word_is_there(version, name):
     data, plan = old(version, name), Plan.from_dict(old(version, name))
-    assert plan.plan_version == 4
+    assert plan.plan_version == 5
     for key in ("case", "asked", "objective", "method", "unit", "params", "version"):
         assert getattr(plan, key) == data[key]
     assert list(plan.remarks) == data["remarks"]
@@ -76,13 +78,15 @@ def test_version_3_says_all_but_places_between_junctions(name):
     data = old(3, name)
     plan = Plan.from_dict(data)
     now = json.loads(json.dumps(plan.to_dict()))
-    assert now.pop("plan_version") == 4
+    assert now.pop("plan_version") == 5
     assert data.pop("plan_version") == 3
+    assert now.pop("closed") == []
     for stretch in (*now["stretches"], *(trip["alone"] for trip in now["trips"])):
         assert stretch.pop("span") == [0.0, 1.0]
         assert stretch.pop("access") in (None, [None, None])
         assert stretch.pop("access_at", "") == ""
     for trip in now["trips"]:
+        assert trip.pop("profile") is None
         for end in ("origin", "destination"):
             assert (trip[end].pop("edge"), trip[end].pop("share")) == (None, None)
     if now["timetable"]:
@@ -94,6 +98,18 @@ def test_version_3_says_all_but_places_between_junctions(name):
     assert now["proof"].pop("any_plan") is None
     for key, value in data.items():
         assert now[key] == value
+
+
+def test_version_4_says_all_but_what_vehicles_are_like(net):
+    plan = plan_joint(net, paper_weights(net), [Trip("A", 0, 3), Trip("B", 5, 6)])
+    data = plan.to_dict() | {"plan_version": 4}
+    del data["closed"]
+    for trip in data["trips"]:
+        del trip["profile"]
+    read = Plan.from_dict(data)
+    assert [trip.profile for trip in read.trips] == [None, None]
+    told = tuple(replace(trip, profile=DEFAULT_VEHICLE) for trip in read.trips)
+    assert replace(read, trips=told) == plan
 
 
 def named_as_today(data, net):

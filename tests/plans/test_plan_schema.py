@@ -17,6 +17,7 @@ from platoon_osm.plans import records
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.proof import Proof
 from platoon_osm.plans.timetable import Timetable, VehicleTimes
+from platoon_osm.vehicles.profile import Vehicle
 
 SCHEMA = json.loads((ROOT / "docs" / "plan.schema.json").read_text(encoding="utf-8"))
 FIT = jsonschema.Draft202012Validator(SCHEMA)
@@ -26,7 +27,7 @@ RECORDS = {
     "trip": records.PlannedTrip, "share": Share, "stretch": records.Stretch,
     "platoon": records.Platoon, "event": records.Event, "network": records.NetworkIdentity,
     "proof": Proof, "timetable": Timetable, "vehicle_times": VehicleTimes,
-    "master_tried": records.MasterTried,
+    "master_tried": records.MasterTried, "profile": Vehicle,
 }  # fmt: skip
 
 

@@ -49,7 +49,7 @@ def test_what_is_no_vehicle_is_refused_in_one_line(given, said):
 def test_a_table_changes_what_it_names():
     low = vehicle_of({"base": "us-80k-lb", "height_m": 3.4, "tunnel_code": "c"})
     assert (low.height_m, low.tunnel_code, low.mass_t) == (3.4, "C", VEHICLES["us-80k-lb"].mass_t)
-    assert low.name == "us-80k-lb with height_m=3.4, tunnel_code=c"
+    assert low.name == "like us-80k-lb"
     assert "3.4 m high" in low.told()
     assert "tunnel code C" in low.told()
 

@@ -13,17 +13,20 @@ from typing import Any
 
 from ...errors import ScenarioError, brief
 from ...plans.trip import TIMES
-from .keys import FLEXIBILITY, PLACES
+from .keys import FLEXIBILITY, PLACES, PROFILE
 
 __all__ = ["COLUMNS", "PARTS", "column_named", "is_blank", "row_of"]
 
 PARTS = ("lon", "lat", "osmid", "label")
+SIZES = ("height_m", "width_m", "length_m", "mass_t", "rating_t", "axle_load_t", "limiter_kmh")
+"""What a row may say of its vehicle besides, or in place of, the name of a profile."""
 COLUMNS = (
-    "vehicle", *PLACES, *TIMES, FLEXIBILITY,
+    "vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, *SIZES,
     *(f"{end}_{part}" for end in PLACES for part in PARTS),
 )  # fmt: skip
 """Columns there are; vehicle and both places must be given."""
 
+UNITS = {"m": "metres", "t": "tonnes", "kmh": "kilometres an hour"}
 NUMBER = re.compile(r"[+-]?\d+([.,]\d*)?([eE][+-]?\d+)?")
 
 
@@ -89,6 +92,16 @@ def row_of(where: str, cells: Mapping[str, Any]) -> dict[str, Any]:
     row |= {key: given[key] for key in TIMES if key in given}
     if FLEXIBILITY in given:
         row[FLEXIBILITY] = _number(f"{where}: {FLEXIBILITY}", given[FLEXIBILITY], "minutes")
+    sizes = {
+        key: _number(f"{where}: {key}", given[key], UNITS[key.rpartition("_")[2]])
+        for key in SIZES
+        if key in given
+    }
+    if PROFILE in given:
+        named = _text(f"{where}: {PROFILE}", given[PROFILE])
+        row[PROFILE] = {"base": named, **sizes} if sizes else named
+    elif sizes:
+        row[PROFILE] = sizes
     return row
 
 

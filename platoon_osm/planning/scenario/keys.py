@@ -11,11 +11,12 @@ from typing import Any
 from ...errors import PlatoonError, ScenarioError, brief
 from ...plans.trip import TIMES
 
-__all__ = ["FLEXIBILITY", "PLACES", "TRIP_KEYS", "hint", "known", "text_of", "told"]
+__all__ = ["FLEXIBILITY", "PLACES", "PROFILE", "TRIP_KEYS", "hint", "known", "text_of", "told"]
 
 PLACES = ("origin", "destination")
 FLEXIBILITY = "flexibility_min"
-TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY)
+PROFILE = "profile"
+TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE)
 """What a trip may say, in TOML as in tables; vehicle, origin and destination it must say."""
 
 

@@ -11,8 +11,10 @@ from typing import Any
 from ...costs.presets import DEFAULT_PRESET, PRESETS
 from ...errors import ScenarioError
 from ...plans.trip import Trip, check_one_clock
+from ...vehicles.profile import Vehicle
 from .keys import known, text_of, told
 from .network_table import beside, network_of
+from .profiles import profiles_of
 from .record import ACCESS_LIMIT, Scenario
 from .text_file import path_of
 from .toml_file import read_toml
@@ -23,8 +25,9 @@ __all__ = ["OPTION_KEYS", "read_scenario"]
 
 TEXT_KEYS = ("case", "objective", "method", "master", "company")
 NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT)
-OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS)
-TOP_KEYS = ("title", "network", *OPTION_KEYS, "costs", "trips")
+OTHER_KEYS = ("profile", "close")
+OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS, *OTHER_KEYS)
+TOP_KEYS = ("title", "network", *OPTION_KEYS, "profiles", "costs", "trips")
 TABLE_KEYS = ("file", "sheet")
 
 OTHER_FILES = {
@@ -70,14 +73,21 @@ def read_scenario(
     if file.suffix.lower() in OTHER_FILES:
         raise ScenarioError(f"{file}: {OTHER_FILES[file.suffix.lower()]}")
     data = read_toml(file)
-    asked = None if trips is None else tuple(read_trips(trips, sheet))
     with told(file):
-        found = _scenario(file, data, asked)
+        profiles = profiles_of(data.get("profiles", {}))
+    asked = None if trips is None else tuple(read_trips(trips, sheet, profiles))
+    with told(file):
+        found = _scenario(file, data, asked, profiles)
     table = _table(file, data.get("trips")) if trips is None else Path(trips)
     return replace(found, files=(file,) if table is None else (file, table))
 
 
-def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | None) -> Scenario:
+def _scenario(
+    file: Path,
+    data: Mapping[str, Any],
+    asked: tuple[Trip, ...] | None,
+    profiles: Mapping[str, Vehicle],
+) -> Scenario:
     known("scenario", data, TOP_KEYS)
     network = network_of(file.parent, data.get("network"))
     costs = data.get("costs", {})
@@ -89,7 +99,7 @@ def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | Non
         file=file,
         title=text_of("title", data.get("title", file.stem)),
         network=network,
-        trips=_trips(file, data.get("trips")) if asked is None else asked,
+        trips=_trips(file, data.get("trips"), profiles) if asked is None else asked,
         options={
             key: text_of(key, data[key]) if key in TEXT_KEYS else data[key]
             for key in OPTION_KEYS
@@ -97,6 +107,7 @@ def _scenario(file: Path, data: Mapping[str, Any], asked: tuple[Trip, ...] | Non
         },
         costs={key: value for key, value in costs.items() if key != "preset"},
         preset=preset.name,
+        profiles=profiles,
     )
 
 
@@ -112,15 +123,15 @@ def _table(file: Path, data: Any) -> Path | None:
     return Path(beside(file.parent, "trips", data["file"]))
 
 
-def _trips(file: Path, data: Any) -> tuple[Trip, ...]:
+def _trips(file: Path, data: Any, profiles: Mapping[str, Vehicle]) -> tuple[Trip, ...]:
     if (table := _table(file, data)) is not None:
         named = isinstance(data, dict) and "sheet" in data
         sheet = text_of("trips, sheet", data["sheet"]) if named else None
-        return tuple(read_trips(table, sheet))
+        return tuple(read_trips(table, sheet, profiles))
     if not isinstance(data, list) or not data:
         raise ScenarioError(
             'no trips; add [[trips]] with vehicle, origin, destination, or trips = "trips.csv"'
         )
-    trips = tuple(trip_of(f"trip {number}", row) for number, row in enumerate(data, 1))
+    trips = tuple(trip_of(f"trip {number}", row, profiles) for number, row in enumerate(data, 1))
     check_one_clock(trips)
     return trips

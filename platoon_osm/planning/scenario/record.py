@@ -16,10 +16,12 @@ from ...network.access import STANDARD_ACCESS, Access
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.trip import Trip
+from ...vehicles.profile import Vehicle
 from ..ends import located
 from ..joint import plan_joint
 from ..problem import Problem
 from .keys import told
+from .profiles import profile_of
 
 __all__ = ["ACCESS_LIMIT", "Scenario"]
 
@@ -46,6 +48,8 @@ class Scenario:
         Parameters of the costs.
     preset : str
         Name of the costs in `PRESETS`.
+    profiles : mapping of str to Vehicle
+        Vehicles of its own, by the names that trips use.
     files : tuple of Path
         What it was read from, itself and its table of trips; no output may replace them.
     """
@@ -58,6 +62,7 @@ class Scenario:
     costs: Mapping[str, Any] = field(default_factory=dict)
     preset: str = DEFAULT_PRESET
     files: tuple[Path, ...] = ()
+    profiles: Mapping[str, Vehicle] = field(default_factory=dict)
 
     def objective(self) -> Objective:
         """Return the costs the scenario asks for.
@@ -179,4 +184,7 @@ class Scenario:
             Problem(road, self.trips, self.objective(), access=self.access(), **options)
 
     def _rules(self) -> dict[str, Any]:
-        return {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
+        rules = {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
+        if "profile" in rules:
+            rules["profile"] = profile_of("profile", rules["profile"], self.profiles)
+        return rules

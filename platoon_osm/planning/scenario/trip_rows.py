@@ -11,15 +11,17 @@ from ...kinds import is_number, is_whole
 from ...network.coordinate_text import coordinates_in
 from ...network.location import Place
 from ...plans.trip import TIMES, Trip
+from ...vehicles.profile import Vehicle
 from .clock_texts import moment
-from .keys import FLEXIBILITY, PLACES, TRIP_KEYS, known, text_of
+from .keys import FLEXIBILITY, PLACES, PROFILE, TRIP_KEYS, known, text_of
+from .profiles import NO_PROFILES, profile_of
 
 __all__ = ["trip_of"]
 
 PLACE_KEYS = ("at", "osmid", "label")
 
 
-def trip_of(where: str, row: Any) -> Trip:
+def trip_of(where: str, row: Any, profiles: Mapping[str, Vehicle] = NO_PROFILES) -> Trip:
     """Return the trip that a row tells.
 
     Parameters
@@ -28,6 +30,8 @@ def trip_of(where: str, row: Any) -> Trip:
         The row, for messages: "trip 2", "trips.csv line 3".
     row : Any
         Its values by the keys of `TRIP_KEYS`.
+    profiles : mapping of str to Vehicle
+        Vehicles by the names that the scenario gives them; those of `VEHICLES` need not be there.
 
     Returns
     -------
@@ -50,6 +54,8 @@ def trip_of(where: str, row: Any) -> Trip:
     more: dict[str, Any] = {key: moment(f"{where}: {key}", row[key]) for key in TIMES if key in row}
     if FLEXIBILITY in row:
         more[FLEXIBILITY] = _minutes(f"{where}: {FLEXIBILITY}", row[FLEXIBILITY])
+    if PROFILE in row:
+        more[PROFILE] = profile_of(f"{where}: {PROFILE}", row[PROFILE], profiles)
     try:
         return Trip(vehicle, origin, destination, **more)
     except PlatoonError as error:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 
 from ...errors import PlatoonError, ScenarioError, brief
 from ...plans.trip import Trip, check_one_clock
+from ...vehicles.profile import Vehicle
 from .cells import row_of
 from .csv_table import read_csv
 from .geopackage_table import read_geopackage
+from .profiles import NO_PROFILES
 from .rows import Row
 from .text_file import MOST_BYTES, beginning_of, kind_by_content, path_of
 from .trip_rows import trip_of
@@ -28,11 +31,16 @@ OTHER_FILES = {
 }
 
 
-def read_trips(path: str | os.PathLike[str], sheet: str | None = None) -> list[Trip]:
+def read_trips(
+    path: str | os.PathLike[str],
+    sheet: str | None = None,
+    profiles: Mapping[str, Vehicle] = NO_PROFILES,
+) -> list[Trip]:
     """Read trips from a table.
 
     Columns are vehicle, origin and destination, and if wanted earliest_departure,
-    latest_departure, latest_arrival and flexibility_min. A place is a name or "lon, lat", or stands
+    latest_departure, latest_arrival, flexibility_min, profile (the name of a vehicle) and sizes of
+    its own as height_m or mass_t. A place is a name or "lon, lat", or stands
     in origin_lon and origin_lat, or in origin_osmid; origin_label gives it a name of its own. In a
     GeoPackage points are origins, and lines run from origin to destination.
 
@@ -43,6 +51,8 @@ def read_trips(path: str | os.PathLike[str], sheet: str | None = None) -> list[T
     sheet : str, optional
         Sheet of the workbook or layer of the GeoPackage; by default the first sheet, or the only
         layer.
+    profiles : mapping of str to Vehicle
+        Vehicles that rows may name besides those of `VEHICLES`.
 
     Returns
     -------
@@ -63,7 +73,7 @@ def read_trips(path: str | os.PathLike[str], sheet: str | None = None) -> list[T
     seen: dict[str, str] = {}
     trips = []
     for row in rows:
-        trip = trip_of(row.where, row_of(row.where, row.cells))
+        trip = trip_of(row.where, row_of(row.where, row.cells), profiles)
         if trip.vehicle in seen:
             raise ScenarioError(
                 f"{row.where}: vehicle {brief(trip.vehicle)} has a trip already "

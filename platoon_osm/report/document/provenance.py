@@ -15,6 +15,7 @@ from ..language.plan_sentences import in_language
 from ..language.speech import number, say
 from ..markup.quantities import CostUnit, percent
 from .model import LabelledText, Provenance
+from .profiles import profile_rows
 
 __all__ = ["credits", "proof_text", "provenance"]
 
@@ -63,6 +64,8 @@ def provenance(plan: Plan, net: RoadNetwork, unit: CostUnit) -> Provenance:
         (say("about.graph"), identity.identity),
         (say("about.method"), _method(plan)),
         (say("about.costs"), ", ".join(_parameters(plan.params))),
+        *((say("about.vehicles"), row) for row in profile_rows(plan)),
+        (say("profile.closed"), ", ".join(plan.closed)),
         (say("about.made-by"), f"platoon_osm {plan.version}".strip()),
     )
     told = (fitted(in_language(leading_text(plan))), proof_text(plan.proof, unit))
