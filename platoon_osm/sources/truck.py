@@ -10,7 +10,7 @@ from numbers import Real
 
 from ..errors import ScenarioError
 from ..network.restrictions import encode
-from ..vehicles.conditions import apply
+from ..vehicles.conditions import apply, has_conditions
 from ..vehicles.profile import DEFAULT_VEHICLE, VEHICLES
 from .way_sides import (
     CHANGING,
@@ -271,13 +271,14 @@ def _speeds(
     tags: Mapping[str, str], side: int, rules: TruckRules, remarks: list[str]
 ) -> tuple[float, float]:
     """Return what a truck drives in a direction, and what is posted for light vehicles."""
-    truck, van = (
-        apply({key: value for key, value in tags.items() if not is_restriction(key)}, one)
-        for one in (DEFAULT_VEHICLE, LIGHT)
-    )
-    if truck[1]:
+    own = {key: value for key, value in tags.items() if not is_restriction(key)}
+    if not has_conditions(own):
+        return _speed_kmh(own, side, rules, remarks), _posted_kmh(own, side)
+    truck, undecided = apply(own, DEFAULT_VEHICLE)
+    if undecided:
         remarks.append("speed limits at some hours or in some weather, not judged")
-    return _speed_kmh(truck[0], side, rules, remarks), _posted_kmh(van[0], side)
+    van, _ = apply(own, LIGHT)
+    return _speed_kmh(truck, side, rules, remarks), _posted_kmh(van, side)
 
 
 DRIVING_TAGS = frozenset({"highway", "oneway", "junction", "toll", "toll:hgv", "toll:N3"})
@@ -301,7 +302,7 @@ def is_driving_tag(key: str) -> bool:
         or key.startswith(("maxspeed", "oneway"))
         or key.endswith(":conditional")
         or is_restriction(key)
-        or bool(unread({key: ""}))
+        or bool(unread([key]))
     )
 
 

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from functools import lru_cache
 
 from ..network.restrictions import Layer
 from ..vehicles.access import (
@@ -38,6 +39,9 @@ __all__ = [
 
 Layers = tuple[Layer, ...]
 SIDES = ("forward", "backward")
+MANY = 10_000
+"""Keys whose reading is remembered; maps of whole countries have a few thousand."""
+
 TRUE = frozenset({"yes", "true", "1"})
 AGAINST = frozenset({"-1", "reverse"})
 FALSE = frozenset({"no", "false", "0"})
@@ -105,6 +109,7 @@ def for_side(tags: Mapping[str, str], side: str) -> dict[str, str]:
     return own | special
 
 
+@lru_cache(maxsize=MANY)
 def is_restriction(key: str) -> bool:
     """Say whether a key may close a road to somebody.
 
@@ -131,31 +136,34 @@ def _base(key: str) -> str:
     return ":".join([first, *(part for part in parts if part not in (*SIDES, LANES[1:]))])
 
 
-def unread(tags: Mapping[str, str]) -> list[str]:
+def unread(tags: Iterable[str]) -> list[str]:
     """Return the keys that sound like restrictions and are not read.
 
     Parameters
     ----------
-    tags : mapping of str to str
-        Of a road.
+    tags : iterable of str
+        Keys of a road.
 
     Returns
     -------
     list of str
         Without condition, direction and lanes.
     """
-    return [
-        base
-        for key in tags
-        if (base := _base(key)) in NOT_JUDGED
-        or (
-            LIKE_ACCESS.match(base)
-            and not is_restriction(key)
-            and not ABOUT_OTHERS.search(key)
-            and base not in ("oneway", *ONLY_SOME)
-            and not base.startswith(("oneway:bicycle", "oneway:bus", "oneway:psv", "oneway:foot"))
-        )
-    ]
+    return [_base(key) for key in tags if _is_unread(key)]
+
+
+@lru_cache(maxsize=MANY)
+def _is_unread(key: str) -> bool:
+    base = _base(key)
+    if base in NOT_JUDGED:
+        return True
+    return bool(
+        LIKE_ACCESS.match(base)
+        and not is_restriction(key)
+        and not ABOUT_OTHERS.search(key)
+        and base not in ("oneway", *ONLY_SOME)
+        and not base.startswith(("oneway:bicycle", "oneway:bus", "oneway:psv", "oneway:foot"))
+    )
 
 
 def restricting(tags: Mapping[str, str], counts: Counter[str]) -> Layer:

@@ -284,3 +284,35 @@ def test_a_plan_says_what_its_vehicles_are_like_and_what_they_pass_with_little_r
     one = po.plan_joint(net, weights, trips[:1], close=[at[WEST, SOUTH]])
     assert "Vehicles: eu-40t, 4 m high" in one.summary()
     assert f"Closed for this plan: {at[WEST, SOUTH]}." in one.summary()
+
+
+YARD, DEPOT = 4, 5
+
+
+def with_yard(gate):
+    """A ring road west-north-east-south, a gate from north to a yard, and open road to a depot."""
+    roads = [(WEST, NORTH, 10), (NORTH, EAST, 10), (EAST, SOUTH, 15), (SOUTH, WEST, 15),
+             (NORTH, YARD, 1), (YARD, DEPOT, 1)]  # fmt: skip
+    both = roads + [(b, a, km) for a, b, km in roads]
+    tails, heads, km = (np.array(column) for column in zip(*both, strict=True))
+    net = network(tails, heads, km * 1000.0)
+    at = {(int(a), int(b)): k for k, (a, b) in enumerate(zip(net.tail, net.head, strict=True))}
+    return restricted(net, {at[NORTH, YARD]: gate, at[YARD, NORTH]: gate}), at
+
+
+def test_a_yard_behind_a_private_gate_is_reached_by_its_own_trips():
+    net, at = with_yard("access=private barrier=gate")
+    weights = po.paper_weights(net)
+    there = po.plan_joint(net, weights, [Trip("A", WEST, DEPOT)])
+    assert way(there) == [at[WEST, NORTH], at[NORTH, YARD], at[YARD, DEPOT]]
+    away = po.plan_joint(net, weights, [Trip("A", DEPOT, EAST)])
+    assert way(away) == [at[DEPOT, YARD], at[YARD, NORTH], at[NORTH, EAST]]
+    # Two of them meet behind the gate; who only passes by does not turn in.
+    both = po.plan_joint(net, weights, [Trip("A", DEPOT, EAST), Trip("B", WEST, EAST)])
+    assert way(both, 1) == [at[WEST, NORTH], at[NORTH, EAST]]
+
+
+def test_a_gate_that_is_closed_stays_closed():
+    net, _ = with_yard("access=no barrier=gate")
+    with pytest.raises(NoRouteError, match="access=no at a gate"):
+        po.plan_joint(net, po.paper_weights(net), [Trip("A", WEST, DEPOT)])

@@ -99,13 +99,14 @@ def test_lengths_of_the_complete_extracts(name, motorway_km, link_km):
     for kind, km in (("motorway", motorway_km), ("motorway_link", link_km)):
         net = load_network(extract(name), [kind])
         ends = {}
+        spots = list(zip(net.lon.tolist(), net.lat.tolist(), strict=True))
         for a, b, way, length in zip(
             net.tail.tolist(), net.head.tolist(), net.way_id.tolist(), net.length_m, strict=True
         ):
-            # A two-way ramp is one road, though it is two edges.
-            ends[min(a, b), max(a, b), way, round(length, 3)] = length
+            # A two-way ramp is one road, though it is two edges; a forbidden turn copies a piece.
+            ends[min(spots[a], spots[b]), max(spots[a], spots[b]), way, round(length, 3)] = length
         assert net.road_class.tolist() == [ROAD_CLASSES.index(kind)] * net.m
-        assert sum(ends.values()) / 1000 == pytest.approx(km, rel=0.02)
+        assert sum(ends.values()) / 1000 == pytest.approx(km, rel=0.03)
 
 
 def test_junction_names_of_bayreuth():

@@ -7,8 +7,9 @@ from xml.sax.saxutils import quoteattr
 import osmium
 
 
-def xml(nodes, ways, head='<osm version="0.6" generator="test">'):
-    """Write nodes {id: (lon, lat, tags)} and ways {id: (nodes, tags)} as OSM XML."""
+def xml(nodes, ways, head='<osm version="0.6" generator="test">', relations=None):
+    """Write nodes {id: (lon, lat, tags)}, ways {id: (nodes, tags)} and relations
+    {id: ([("way", 1, "from"), ...], tags)} as OSM XML."""
 
     def tagged(tags):
         return "".join(f"<tag k={quoteattr(k)} v={quoteattr(v)}/>" for k, v in tags.items())
@@ -21,10 +22,15 @@ def xml(nodes, ways, head='<osm version="0.6" generator="test">'):
     for way, (refs, tags) in ways.items():
         members = "".join(f'<nd ref="{node}"/>' for node in refs)
         lines.append(f'<way id="{way}">{members}{tagged(tags)}</way>')
+    for relation, (members, tags) in (relations or {}).items():
+        inside = "".join(
+            f'<member type="{kind}" ref="{ref}" role="{role}"/>' for kind, ref, role in members
+        )
+        lines.append(f'<relation id="{relation}">{inside}{tagged(tags)}</relation>')
     return "\n".join([*lines, "</osm>"])
 
 
-def write(folder, nodes, ways, suffix=".osm", name="made"):
+def write(folder, nodes, ways, suffix=".osm", name="made", relations=None):
     """Write a file of any supported kind and return its path."""
     path = folder / f"{name}{suffix}"
     if suffix == ".osm.pbf":
@@ -35,9 +41,12 @@ def write(folder, nodes, ways, suffix=".osm", name="made"):
             writer.add_node(osmium.osm.mutable.Node(id=node, location=(lon, lat), tags=tags))
         for way, (refs, tags) in ways.items():
             writer.add_way(osmium.osm.mutable.Way(id=way, nodes=refs, tags=tags))
+        for relation, (members, tags) in (relations or {}).items():
+            own = [(kind[0], ref, role) for kind, ref, role in members]
+            writer.add_relation(osmium.osm.mutable.Relation(id=relation, members=own, tags=tags))
         writer.close()
         return path
-    text = xml(nodes, ways).encode()
+    text = xml(nodes, ways, relations=relations).encode()
     pack = {".osm.gz": gzip.compress, ".osm.bz2": bz2.compress}.get(suffix, bytes)
     path.write_bytes(pack(text))
     return path

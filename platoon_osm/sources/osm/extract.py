@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from ...errors import MapDataError, NetworkError
 from ...network.load_report import LoadReport
 from ...network.preparing.simplify import merge_chains
+from ...network.preparing.turns import split_turns
+from ...network.restrictions import Layer, decode, encode
 from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
 from ...network.texts import encode_texts
 from ..truck import (
@@ -26,13 +28,18 @@ from ..truck import (
     is_driving_tag,
     read_way,
 )
+from .barriers import barrier_layers
 from .raw_osm import RawMap, TagReader, read_raw
+from .turn_relations import Segments, forbidden_turns
 
 __all__ = ["MOTORWAY_CLASSES", "read_osm"]
 
 MOTORWAY_CLASSES = ("motorway", "motorway_link")
 NAME_TAGS = frozenset({"ref", "name", "destination"})
-PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population"})
+PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population", "barrier"})
+SIGNED_BARRIERS = ("", "toll_booth", "border_control")
+"""Barriers whose name stands on a sign at the road; "" for nodes without one."""
+
 NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0, 1.0, 1.0)
 
 
@@ -215,33 +222,51 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     def both(along: NDArray[Any], against: NDArray[Any]) -> NDArray[Any]:
         return np.concatenate([along[of[forward]], against[of[backward]]])
 
+    told: Counter[str] = Counter()
+    barriers = barrier_layers(raw, ids, tails, heads, told)
+    drawn = Segments(
+        tails, heads, source_way, np.concatenate([start[forward], start[backward]]),
+        np.repeat([True, False], [int(forward.sum()), int(backward.sum())]),
+    )  # fmt: skip
+    split = split_turns(tails, heads, len(ids), forbidden_turns(raw, drawn, ids, told))
+    own, spot = split.origin, split.node_origin
+    base = both(ways.restriction, ways.backward_restriction)[own]
+    at_nodes = {node: (layer,) for node, layer in barriers.items()}
+    passed = {
+        segment: encode((*decode(ways.texts[base[segment]]), *at_nodes.get(node, ()), *turn))
+        for segment, node in _restricted(tails[own], at_nodes, split.layers)
+        for turn in (split.layers.get(segment, ()),)
+    }
+
     junctions, points = _named_nodes(raw, ids, np.flatnonzero(~ways.road))
     texts, codes = encode_texts(
         ways.texts, [row[1] for row in junctions], [row[2] for row in junctions],
-        [row[3] for row in points],
+        [row[3] for row in points], list(passed.values()),
     )  # fmt: skip
+    restriction = codes[0][base]
+    restriction[list(passed)] = codes[4]
     position = [row[0] for row in junctions]
     node_name, node_ref = np.zeros(len(ids), np.int32), np.zeros(len(ids), np.int32)
     node_name[position], node_ref[position] = codes[1], codes[2]
     keep = np.zeros(len(ids), bool)
     keep[position] = [row[3] for row in junctions]
-    report = LoadReport(counts)
+    report = LoadReport(counts | dict(sorted(told.items())))
     try:
         net = RoadNetwork.from_edges(
-            tails, heads,
-            lon=raw.lon[at], lat=raw.lat[at],
-            speed_mps=both(ways.speed_mps, ways.backward_mps),
-            posted_mps=both(ways.posted_mps, ways.backward_posted_mps),
-            restriction=codes[0][both(ways.restriction, ways.backward_restriction)],
-            node_id=ids, node_name=node_name, node_ref=node_ref,
-            road_class=ways.road_class[source_way], ref=codes[0][ways.ref[source_way]],
-            name=codes[0][ways.name[source_way]], toll=ways.toll[source_way],
-            way_id=raw.way_id[source_way], texts=texts, points=_points(points, codes[3]),
+            split.tail, split.head,
+            lon=raw.lon[at][spot], lat=raw.lat[at][spot],
+            speed_mps=both(ways.speed_mps, ways.backward_mps)[own],
+            posted_mps=both(ways.posted_mps, ways.backward_posted_mps)[own],
+            restriction=restriction,
+            node_id=ids[spot], node_name=node_name[spot], node_ref=node_ref[spot],
+            road_class=ways.road_class[source_way[own]], ref=codes[0][ways.ref[source_way[own]]],
+            name=codes[0][ways.name[source_way[own]]], toll=ways.toll[source_way[own]],
+            way_id=raw.way_id[source_way[own]], texts=texts, points=_points(points, codes[3]),
             source=raw.source, report=report,
         )  # fmt: skip
     except NetworkError as error:
         raise MapDataError(f"{file}: {error}") from error
-    merged = merge_chains(net, keep)
+    merged = merge_chains(net, keep[spot])
     sizes = {
         "nodes read": net.n, "directed segments read": net.m,
         "nodes after contracting chains": merged.n, "edges after contracting chains": merged.m,
@@ -250,6 +275,19 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
         "service and rest areas": int((merged.points.kind < POINT_KINDS.index("city")).sum()),
     }  # fmt: skip
     return merged.with_report(report.extended(sizes))
+
+
+def _restricted(
+    tails: NDArray[np.int64],
+    at_nodes: Mapping[int, tuple[Layer, ...]],
+    turns: Mapping[int, tuple[Layer, ...]],
+) -> list[tuple[int, int]]:
+    """Return the segments that a barrier or a turn restricts, each with the node it leaves."""
+    if not at_nodes and not turns:
+        return []
+    leaving = np.flatnonzero(np.isin(tails, list(at_nodes)))
+    some = sorted({*leaving.tolist(), *turns})
+    return [(segment, int(tails[segment])) for segment in some]
 
 
 def _named_nodes(
@@ -271,7 +309,7 @@ def _named_nodes(
             if np.isnan(lon):
                 continue
             points.append((lon, lat, POINT_KINDS.index(kind), name, _whole(tags, "population")))
-        elif at < len(ids) and ids[at] == node:
+        elif at < len(ids) and ids[at] == node and tags.get("barrier", "") in SIGNED_BARRIERS:
             is_junction = kind == "motorway_junction"
             junctions.append((at, name, tags.get("ref", "") if is_junction else "", is_junction))
     for way in areas.tolist():

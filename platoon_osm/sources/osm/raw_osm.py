@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from ...errors import MapDataError
 from ...network.load_report import Source
+from ...vehicles.access import BARRIERS, CHAIN
 from ..file_identity import osm_source
 from .file_kind import osm_file
 from .josm import deleted_ways, new_node_positions, xml_items
@@ -31,8 +32,15 @@ __all__ = ["OsmNameError", "RawMap", "TagReader", "read_raw"]
 
 NODE_TAGS = (
     ("highway", "motorway_junction"), ("highway", "services"), ("highway", "rest_area"),
-    ("place", "city"), ("place", "town"), ("barrier", "toll_booth"),
+    ("place", "city"), ("place", "town"),
+    *(("barrier", kind) for kind in (*BARRIERS, "yes") if kind),
 )  # fmt: skip
+
+TURN_TAGS = tuple(
+    ("type", kind)
+    for kind in ("restriction", *(f"restriction:{whom}" for whom in (*CHAIN, "conditional")))
+)
+"""Relations that forbid turns, to all or to some."""
 
 UNDEFINED_COORDINATE = 2**31 - 1
 """What libosmium stores where a file has no coordinate."""
@@ -68,6 +76,8 @@ class RawMap:
         Degrees; NaN where the file lacks the node.
     nodes : tuple[tuple[int, str, float, float], ...]
         Id, tags as OPL text, lon and lat of each tagged node.
+    turns : tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
+        Id, tags as OPL text and members (kind, id, role) of each relation that forbids turns.
     left_out : mapping of str to int
         How many ways were left out, by reason.
     """
@@ -80,6 +90,7 @@ class RawMap:
     lon: NDArray[np.float64]
     lat: NDArray[np.float64]
     nodes: tuple[tuple[int, str, float, float], ...]
+    turns: tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
     left_out: Mapping[str, int]
 
 
@@ -109,7 +120,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     with tempfile.TemporaryDirectory(prefix="platoon-osm-") as folder:
         opl = Path(folder) / "roads.opl"
         found = _filter_to_opl(path, tags, opl)
-        ways, nodes = _split_lines(opl)
+        ways, nodes, turns = _split_lines(opl)
     coordinates = found.coordinates()
     lists = [line[2] for line in ways]
     count = np.fromiter((part.count("n") for part in lists), np.int64, len(lists))
@@ -124,6 +135,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         lon=coordinates[:, 0].copy(),
         lat=coordinates[:, 1].copy(),
         nodes=tuple(_node(path, line) for line in nodes),
+        turns=tuple(_turn(line) for line in turns),
         left_out={},
     )
     _place_new_nodes(path, raw)
@@ -226,7 +238,7 @@ class _Collector:
     def __init__(self, writer: Any) -> None:
         import osmium
 
-        self.node = writer.add_node
+        self.node, self.relation = writer.add_node, writer.add_relation
         self._add_way = writer.add_way
         self._line = osmium.geom.WKBFactory().create_linestring
         self._all = osmium.geom.ALL
@@ -272,10 +284,11 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
         # The writer is called object by object and not handed to apply() itself: after a read
         # error that would end the process.
         collector = _Collector(writer)
-        with osmium.io.Reader(osm_file(path), osmium.osm.NODE | osmium.osm.WAY) as reader:
+        kinds = osmium.osm.NODE | osmium.osm.WAY | osmium.osm.RELATION
+        with osmium.io.Reader(osm_file(path), kinds) as reader:
             locations = osmium.NodeLocationsForWays(osmium.index.create_map("flex_mem"))
             locations.ignore_errors()
-            wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS)
+            wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS, *TURN_TAGS)
             osmium.apply(reader, locations, wanted, collector)
             collector.extracted = reader.header().get("timestamp")
             collector.generator = reader.header().get("generator")
@@ -363,13 +376,12 @@ def _bad_xml_node(path: Path) -> str:
     return ""
 
 
-def _split_lines(opl: Path) -> tuple[list[list[str]], list[list[str]]]:
-    ways: list[list[str]] = []
-    nodes: list[list[str]] = []
+def _split_lines(opl: Path) -> tuple[list[list[str]], list[list[str]], list[list[str]]]:
+    kinds: dict[str, list[list[str]]] = {"w": [], "n": [], "r": []}
     with opl.open(encoding="utf-8", newline="\n") as lines:
         for line in lines:
-            (ways if line[0] == "w" else nodes).append(line.split(" "))
-    return ways, nodes
+            kinds[line[0]].append(line.split(" "))
+    return kinds["w"], kinds["n"], kinds["r"]
 
 
 def _node_ids(lists: list[str]) -> NDArray[np.int64]:
@@ -383,6 +395,16 @@ def _node(path: Path, line: list[str]) -> tuple[int, str, float, float]:
     node = int(line[0][1:])
     lon, lat = (float(part[1:].rstrip("\n") or "nan") for part in line[2:4])
     return node, line[1][1:], *_on_the_globe(path, node, lon, lat)
+
+
+def _turn(line: list[str]) -> tuple[int, str, tuple[tuple[str, int, str], ...]]:
+    """Read "r12 Ttype=restriction Mw1@from,n2@via,w3@to"."""
+    members = []
+    for part in line[2][1:].rstrip("\n").split(","):
+        place, _, role = part.partition("@")
+        if place:
+            members.append((place[0], int(place[1:]), _unescape(role)))
+    return int(line[0][1:]), line[1][1:], tuple(members)
 
 
 def _on_the_globe(path: Path, node: int, lon: float, lat: float) -> tuple[float, float]:
