@@ -38,7 +38,11 @@ LONGEST_LIST = 300
 
 
 def located_by_name(
-    net: RoadNetwork, text: str, role: Role, access: Access = STANDARD_ACCESS
+    net: RoadNetwork,
+    text: str,
+    role: Role,
+    access: Access = STANDARD_ACCESS,
+    usable: UsableNodes | None = None,
 ) -> Location:
     """Find a place by its name.
 
@@ -52,6 +56,8 @@ def located_by_name(
         What its nodes are to be.
     access : Access
         How far from the road a position may be, if the text prints one.
+    usable : UsableNodes, optional
+        The nodes and edges that are open to a vehicle; by default those of all.
 
     Returns
     -------
@@ -69,12 +75,12 @@ def located_by_name(
         raise NetworkError(f"{shown}: an empty name; give a junction, a town or (lon, lat)")
     places = _meant(net, text, name, bracket)
     if not places and (at := printed_position(text)) is not None:
-        return located_at(net, *at, role, None, access)
+        return located_at(net, *at, role, None, access, usable)
     if not places:
         raise NetworkError(f"{shown}: {_why_none(net, text, name, bracket)}")
     if len(places) > 1:
         raise NetworkError(f"{shown} is ambiguous: {_listed(places)}; {_how_to_choose(places)}")
-    return _location(net, places[0], role, text)
+    return _location(net, places[0], role, text, usable or net.attached(UsableNodes))
 
 
 def _folded_apart(text: str) -> tuple[str, str]:
@@ -129,14 +135,16 @@ def _named(town: Town) -> NamedPlace:
     )
 
 
-def _location(net: RoadNetwork, match: NamedPlace, role: Role, text: str) -> Location:
-    usable = net.attached(UsableNodes).of(role)
-    nodes = [node for node in match.nodes if usable[node]]
+def _location(
+    net: RoadNetwork, match: NamedPlace, role: Role, text: str, usable: UsableNodes
+) -> Location:
+    fits = usable.of(role)
+    nodes = [node for node in match.nodes if fits[node]]
     if nodes:
         candidates = _ranked(net, nodes)
         found = Location(candidates[0][0], match.name, match.lon, match.lat, 0.0, candidates)
     else:
-        found = located_at(net, match.lon, match.lat, role, match.name)
+        found = located_at(net, match.lon, match.lat, role, match.name, STANDARD_ACCESS, usable)
     return replace(found, note=_note(match, text), from_geonames=match.from_geonames)
 
 

@@ -17,6 +17,7 @@ from .location import Location, Place, Role
 from .naming import node_name
 from .nearest_road import located_at
 from .road_network import RoadNetwork, checked_network
+from .usable_nodes import UsableNodes
 
 __all__ = ["locate"]
 
@@ -33,6 +34,7 @@ def locate(
     osmid: Any = None,
     label: Any = None,
     access: Access = STANDARD_ACCESS,
+    usable: UsableNodes | None = None,
 ) -> Location:
     """Find a place on the network.
 
@@ -54,6 +56,8 @@ def locate(
         What the place is to be called, instead of the name found for it.
     access : Access
         Of a point: what counts as on the road, and how far beside it a place may be.
+    usable : UsableNodes, optional
+        The nodes and edges that are open to a vehicle; by default those of all.
 
     Returns
     -------
@@ -79,12 +83,12 @@ def locate(
         if place.osmid is not None:
             found = _at_nodes(net, *_known_osmid(net, place.osmid))
         else:
-            found = locate(net, place.at, role, access=access)
+            found = locate(net, place.at, role, access=access, usable=usable)
         return replace(found, name=place.label) if place.label else found
     if isinstance(place, str):
         pair = coordinates_in(place)
         if pair is None:
-            return located_by_name(net, place, role, access)
+            return located_by_name(net, place, role, access, usable)
         place = pair
     if isinstance(place, Location):
         _check_location(net, place)
@@ -92,7 +96,7 @@ def locate(
     if isinstance(place, int | np.integer) and not isinstance(place, bool):
         return _at_nodes(net, _node(net, place))
     lon, lat = _coordinates(place)
-    return located_at(net, lon, lat, role, None, access)
+    return located_at(net, lon, lat, role, None, access, usable)
 
 
 def _at_nodes(net: RoadNetwork, *nodes: int) -> Location:

@@ -55,6 +55,7 @@ def located_at(
     role: Role,
     name: str | None,
     access: Access = STANDARD_ACCESS,
+    usable: UsableNodes | None = None,
 ) -> Location:
     """Find where a trip may start or end that begins at a point, or in a town.
 
@@ -71,6 +72,8 @@ def located_at(
         them does not count. None for a point, which stays where it is.
     access : Access
         What counts as on the road, and how far from it a place may be.
+    usable : UsableNodes, optional
+        The nodes and edges that are open to a vehicle; by default those of all.
 
     Returns
     -------
@@ -83,7 +86,7 @@ def located_at(
     NetworkError
         A network without roads, or a point far from all of them.
     """
-    nodes = net.attached(UsableNodes)
+    nodes = usable or net.attached(UsableNodes)
     fits = nodes.of(role)
     if not fits.any():
         raise NetworkError(
@@ -94,12 +97,12 @@ def located_at(
     limit_km = access.limit_km if name is None else FARTHEST_TOWN_KM
     if road_m > limit_km * 1000:
         _refuse(net, lon, lat, road_m, limit_km)
-    usable, away = _nearest_nodes(net, fits, lon, lat)
+    fitting, away = _nearest_nodes(net, fits, lon, lat)
     nearest = float(away[0])
 
     def within(limit: float, most: int) -> tuple[tuple[int, float], ...]:
         return tuple(
-            (int(usable[i]), float(away[i])) for i in range(len(away[:most])) if away[i] <= limit
+            (int(fitting[i]), float(away[i])) for i in range(len(away[:most])) if away[i] <= limit
         )
 
     beside = nearest + OTHER_CARRIAGEWAY_M

@@ -26,15 +26,23 @@ class UsableNodes:
     ----------
     net : RoadNetwork
         Whose nodes.
+    closed : ndarray of bool, (m,), optional
+        Edges that count as none, for they are closed to a vehicle.
     """
 
-    def __init__(self, net: RoadNetwork) -> None:
+    def __init__(self, net: RoadNetwork, closed: NDArray[np.bool_] | None = None) -> None:
         # Not the network itself, which holds this: both would outlive their use together.
-        self._tail, self._head, self._n = net.tail, net.head, net.n
-        main: NDArray[np.bool_] = net.strong_component() == 0
-        inside = float(net.length_m[main[net.tail] & main[net.head]].sum())
+        self._m, self._n = net.m, net.n
+        self._open = np.ones(net.m, bool) if closed is None else ~closed
+        self._ends = net.tail, net.head
+        self._tail, self._head = net.tail[self._open], net.head[self._open]
+        length = net.length_m[self._open]
+        main: NDArray[np.bool_] = (
+            net.strong_component() if closed is None else self._parts(length)
+        ) == 0
+        inside = float(length[main[self._tail] & main[self._head]].sum())
         self._main = main
-        self._mostly = bool(inside) and inside >= MOSTLY_CONNECTED * float(net.length_m.sum())
+        self._mostly = bool(inside) and inside >= MOSTLY_CONNECTED * float(length.sum())
         self._by_role: dict[Role, NDArray[np.bool_]] = {}
 
     def of(self, role: Role) -> NDArray[np.bool_]:
@@ -70,11 +78,24 @@ class UsableNodes:
             Those that lead to a node that fits, or come from one.
         """
         if not self._mostly:
-            return np.ones(len(self._tail), bool)
-        fits = self.of(role)
+            return self._open
+        fits, (tail, head) = self.of(role), self._ends
         if role == "origin":
-            return fits[self._head]
-        return fits[self._tail] if role == "destination" else fits[self._tail] | fits[self._head]
+            return self._open & fits[head]
+        return self._open & (fits[tail] if role == "destination" else fits[tail] | fits[head])
+
+    def _parts(self, length_m: NDArray[np.float64]) -> NDArray[np.int64]:
+        """Return the strongly connected part of each node, 0 for that with the most open road."""
+        from scipy.sparse import csr_array
+        from scipy.sparse.csgraph import connected_components
+
+        ones = np.ones(len(self._tail), np.int8)
+        graph = csr_array((ones, (self._tail, self._head)), shape=(self._n, self._n))
+        count, part = connected_components(graph, connection="strong")
+        same = part[self._tail] == part[self._head]
+        metres = np.bincount(part[self._tail][same], length_m[same], minlength=count)
+        found: NDArray[np.int64] = np.where(part == np.argmax(metres), 0, 1)
+        return found
 
     def _found(self, role: Role) -> NDArray[np.bool_]:
         if not self._mostly:

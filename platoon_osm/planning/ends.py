@@ -4,18 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..errors import NoRouteError, PlatoonError, ScenarioError
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.locate import locate
-from ..network.location import Location, Place, Role
+from ..network.location import Location, Place
 from ..network.road_network import RoadNetwork
+from ..network.usable_nodes import UsableNodes
 from ..plans.trip import Trip
 from ..search.changing_weights import ChangingWeights
 from ..search.trees import Trees
 from ..sources.spellings import CLASSES, INFER_LINKS
+from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle
+from ..vehicles.usable import VehicleNodes
 from .fleet import Fleet
 from .places import PlacedEnd, placed
 
@@ -53,7 +57,10 @@ class TripEnds:
 
 
 def located(
-    net: RoadNetwork, trips: Sequence[Trip], access: Access = STANDARD_ACCESS
+    net: RoadNetwork,
+    trips: Sequence[Trip],
+    access: Access = STANDARD_ACCESS,
+    profile: Vehicle | None = None,
 ) -> list[Ends]:
     """Find the places of trips on a network.
 
@@ -65,6 +72,8 @@ def located(
         Places as names, coordinates, nodes, locations or `Place`.
     access : Access
         What counts as on the road, and how far beside it a place may be.
+    profile : Vehicle, optional
+        The vehicle of trips that name none: places are looked for on roads that are open to it.
 
     Returns
     -------
@@ -76,13 +85,20 @@ def located(
     PlatoonError
         A place that is not there, with trip and end; or a trip that ends where it starts.
     """
-    return [
-        (_located(net, trip, "origin", access), _located(net, trip, "destination", access))
-        for trip in trips
-    ]
+    nodes = net.attached(VehicleNodes)
+    found = []
+    for trip in trips:
+        usable = nodes.of(net, trip.profile or profile or DEFAULT_VEHICLE)
+        origin, destination = (
+            _located(net, trip, end, access, usable) for end in ("origin", "destination")
+        )
+        found.append((origin, destination))
+    return found
 
 
-def _located(net: RoadNetwork, trip: Trip, end: Role, access: Access) -> Location:
+def _located(
+    net: RoadNetwork, trip: Trip, end: Any, access: Access, usable: UsableNodes
+) -> Location:
     asked = trip.origin if end == "origin" else trip.destination
     place = asked.at if isinstance(asked, Place) else asked
     if isinstance(place, Location):
@@ -93,7 +109,7 @@ def _located(net: RoadNetwork, trip: Trip, end: Role, access: Access) -> Locatio
                     f"has nodes 0 to {net.n - 1}; locate it on this network"
                 )
     try:
-        return locate(net, asked, end, access=access)
+        return locate(net, asked, end, access=access, usable=usable)
     except PlatoonError as error:
         raise type(error)(f"trip {trip.vehicle!r}, {end}: {error}") from error
 

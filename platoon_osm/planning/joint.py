@@ -162,7 +162,7 @@ def solve(problem: Problem) -> Plan:
         raise ScenarioError(
             f"plan: {brief(problem)} is no Problem; make one from a network, trips and an objective"
         )
-    locations = located(problem.net, problem.trips, problem.access)
+    locations = located(problem.net, problem.trips, problem.access, problem.profile)
     places = placed(problem.net, locations, problem.access)
     net = places.net
     fleet = fleet_of(problem, places, closed_roads(problem.net, problem.close))

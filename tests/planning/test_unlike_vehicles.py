@@ -316,3 +316,21 @@ def test_a_gate_that_is_closed_stays_closed():
     net, _ = with_yard("access=no barrier=gate")
     with pytest.raises(NoRouteError, match="access=no at a gate"):
         po.plan_joint(net, po.paper_weights(net), [Trip("A", WEST, DEPOT)])
+
+
+def test_a_place_is_looked_for_on_roads_that_are_open_to_the_vehicle():
+    # Two parallel streets 2 km apart; the nearer one to the depot is closed to trucks.
+    lon, lat = [9.0, 9.2, 9.0, 9.2], [45.0, 45.0, 45.018, 45.018]
+    roads = [(0, 1), (1, 0), (2, 3), (3, 2), (0, 2), (2, 0), (1, 3), (3, 1)]
+    net = po.RoadNetwork.from_edges(
+        *zip(*roads, strict=True), lon=lon, lat=lat,
+        restriction=["", "", "hgv=no", "hgv=no", "", "", "", ""], road_class=[4] * 8,
+    )  # fmt: skip
+    weights = po.paper_weights(net)
+    depot = (9.1, 45.0181)
+    truck = po.plan_joint(net, weights, [Trip("A", depot, 1)])
+    van = po.plan_joint(net, weights, [Trip("A", depot, 1)], profile="van-3.5t")
+    street = set(np.flatnonzero(net.restriction).tolist())
+    assert not street & set(way(truck))
+    assert street & set(way(van))
+    assert van.trips[0].origin.edge in street

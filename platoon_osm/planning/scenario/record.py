@@ -140,7 +140,9 @@ class Scenario:
             return [
                 replace(trip, origin=origin, destination=destination)
                 for trip, (origin, destination) in zip(
-                    self.trips, located(net, self.trips, self.access()), strict=True
+                    self.trips,
+                    located(net, self.trips, self.access(), self._rules().get("profile")),
+                    strict=True,
                 )
             ]
 
