@@ -14,6 +14,7 @@ from ..errors import MapDataError, ScenarioError
 from ..network.load_report import Source
 from ..network.road_network import ROAD_CLASSES, RoadNetwork
 from .catalog import BUNDLED_MAPS, bundled_path
+from .country.roads import law_told
 from .osm.extract import MOTORWAY_CLASSES
 from .readers import reader_of
 from .spellings import CLASSES, COUNTRY, INFER_LINKS
@@ -139,10 +140,8 @@ def _shown(value: object) -> str:
 
 def _with_speed_remark(net: RoadNetwork, rules: TruckRules) -> RoadNetwork:
     """Say which limit capped the speeds, so that none is guessed in silence."""
-    if rules.country:
-        law = f"the truck limit of {rules.country} where the map has no maxspeed:hgv"
-    else:
-        law = f"no national limit, as no country was given ({COUNTRY})"
+    found = [str(net.texts[code]) for code in np.unique(net.country).tolist()]
+    law = law_told(rules, found, COUNTRY)
     remark = f"speeds are capped by a limiter of {rules.limiter_kmh:g} km/h and {law}"
     return net.with_report(net.load_report.extended({}, remark))
 

@@ -37,14 +37,17 @@ class RoadChoice:
         self.counts: Counter[str] = Counter()
         self.found: Counter[str] = Counter()
         self.closed = 0
+        self._within: dict[str, TruckRules] = {}
 
-    def read(self, tags: Mapping[str, str]) -> WayReading | None:
+    def read(self, tags: Mapping[str, str], country: str = "") -> WayReading | None:
         """Return what the tags of a road mean, None if it is dropped.
 
         Parameters
         ----------
         tags : mapping of str to str
             Tags of a road.
+        country : str
+            Where it is, "IT" or "US-CA"; empty if that is not known.
 
         Returns
         -------
@@ -57,7 +60,9 @@ class RoadChoice:
         if highway not in self.classes:
             self.counts[f"{self.unit} dropped: other road class"] += 1
             return None
-        reading = read_way(tags, self.rules)
+        if country not in self._within:
+            self._within[country] = self.rules.within(country)
+        reading = read_way(tags, self._within[country])
         if not reading.allowed:
             self.counts[dropped(reading, self.unit)] += 1
             self.closed += 1

@@ -97,6 +97,23 @@ class TruckRules:
             )
         object.__setattr__(self, "limiter_kmh", float(limiter))
 
+    def within(self, country: str) -> TruckRules:
+        """Return the rules on a road of a country.
+
+        Parameters
+        ----------
+        country : str
+            Where it is, "IT" or "US-CA"; empty if that is not known.
+
+        Returns
+        -------
+        TruckRules
+            The same if they name a country themselves, or if nothing is known of that one.
+        """
+        if self.country or country not in COUNTRY_LIMITS_KMH:
+            return self
+        return TruckRules(country, self.limiter_kmh)
+
     @property
     def cap_kmh(self) -> float:
         """The lower of the country's limit and the limiter."""

@@ -83,8 +83,8 @@ def test_a_network_in_memory_goes_through():
 def test_limiter_and_classes_reach_the_reader(tmp_path):
     ways = {1: ([1, 2], {**MOTORWAY, "maxspeed": "130"}), 2: ([2, 3], {"highway": "primary"})}
     path = write(tmp_path, row(3), ways)
-    assert load_network(path).speed_mps.max() * 3.6 == pytest.approx(90)
-    assert load_network(path, limiter_kmh=85).speed_mps.max() * 3.6 == pytest.approx(85)
+    assert load_network(path).speed_mps.max() * 3.6 == pytest.approx(80)
+    assert load_network(path, limiter_kmh=75).speed_mps.max() * 3.6 == pytest.approx(75)
     assert load_network(path, ("motorway", "primary")).m == 3
 
 
@@ -125,7 +125,7 @@ def test_an_extract_with_ramps_is_not_said_to_lack_them(tmp_path):
 def test_a_connected_extract_gets_no_remark_but_what_capped_the_speeds(tmp_path):
     path = write(tmp_path, row(3), {10: ([1, 2, 3], {**MOTORWAY, "oneway": "no"})})
     (remark,) = load_network(path).report().remarks
-    assert "a limiter of 90 km/h and no national limit, as no country was given" in remark
+    assert "a limiter of 90 km/h and the truck limit of IT" in remark
     (remark,) = load_network(path, country="DE", limiter_kmh=85).report().remarks
     assert "a limiter of 85 km/h and the truck limit of DE" in remark
 

@@ -18,6 +18,7 @@ import numpy as np
 from ...errors import MapDataError, NetworkError
 from ...network.load_report import Source
 from ...network.road_network import RoadNetwork
+from ..country.roads import countries_of
 from ..file_identity import osm_source, read_bytes
 from ..road_choice import RoadChoice
 from ..truck import TruckRules
@@ -25,7 +26,7 @@ from .edge_tags import class_code, edge_class, truck_tags
 from .exchange import directed_edges, graph_source, way_id_of
 from .freight_graph import REMARK, as_tagged, freight_source, is_freight_graph
 from .graph_arrays import Attributes, EdgeRow, check_degrees, graph_arrays
-from .graph_values import flag, joined
+from .graph_values import flag, joined, number
 
 if TYPE_CHECKING:
     import geopandas
@@ -275,17 +276,20 @@ def _network(
     kept: list[EdgeRow] = []
     readings = []
     kinds: list[int] = []
-    for edge in edges:
+    nodes = list(nodes)
+    where = _countries(nodes, edges, rules)
+    countries: list[str] = []
+    for edge, country in zip(edges, where, strict=True):
         kind = edge_class(edge[2], choice)
         # Most edges of a city are of other classes: their tags need not be looked at.
         tags = truck_tags(edge[2], kind, choice) if kind in classes else {"highway": kind}
-        reading = choice.read(tags)
+        reading = choice.read(tags, country)
         if reading is not None:
             kept.append(edge)
             readings.append(reading.against if tags.get("oneway") == "-1" else reading.along)
             kinds.append(class_code(kind))
+            countries.append(country)
     choice.check_any(what)
-    nodes = list(nodes)
     arrays = graph_arrays(nodes, kept)
     signs = [data if data.get("highway") == JUNCTION else {} for _, data in nodes]
     data = [attributes for _, _, attributes in kept]
@@ -301,6 +305,7 @@ def _network(
             ],
             object,
         ),
+        country=np.array(countries, object),
         node_name=np.array([joined(sign.get("name")) for sign in signs], object),
         node_ref=np.array([joined(sign.get("ref")) for sign in signs], object),
         road_class=np.array(kinds, np.uint8),
@@ -314,3 +319,12 @@ def _network(
         source=source,
     )
     return choice.finished(net, np.array([bool(sign) for sign in signs], np.bool_), *remarks)
+
+
+def _countries(
+    nodes: Sequence[tuple[Hashable, Attributes]], edges: Sequence[EdgeRow], rules: TruckRules
+) -> list[str]:
+    """Return the country of each edge, by the node where it begins."""
+    at = {key: (number(data.get("x")), number(data.get("y"))) for key, data in nodes}
+    places = np.array([at.get(u, (None, None)) for u, _, _ in edges], np.float64).reshape(-1, 2)
+    return countries_of(rules, places[:, 0], places[:, 1])

@@ -19,6 +19,7 @@ from ...network.preparing.turns import split_turns
 from ...network.restrictions import Layer, decode, encode
 from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
 from ...network.texts import encode_texts
+from ..country.roads import countries_of
 from ..truck import (
     BACKWARD,
     FORWARD,
@@ -106,6 +107,7 @@ class _Ways:
     restriction: NDArray[np.int64]
     backward_restriction: NDArray[np.int64]
     road_class: NDArray[np.uint8]
+    country: NDArray[np.int64]
     toll: NDArray[np.bool_]
     ref: NDArray[np.int64]
     name: NDArray[np.int64]
@@ -121,30 +123,36 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
     """
     read_tags = TagReader(lambda key: key in NAME_TAGS or is_driving_tag(key))
     readings: list[WayReading] = [NOT_A_ROAD]
-    known: dict[tuple[tuple[str, str], ...], int] = {}
+    known: dict[tuple[tuple[tuple[str, str], ...], str | None], int] = {}
     names: dict[str, int] = {"": 0}
-    sets: dict[str, int] = {}
+    sets: dict[tuple[str, str], int] = {}
+    where = _countries(raw, rules)
+    own_rules = {code: rules.within(code) for code in set(where)}
     way_set = np.fromiter(
-        (sets.setdefault(text, len(sets)) for text in raw.way_tags), np.int64, len(raw.way_tags)
+        (sets.setdefault(pair, len(sets)) for pair in zip(raw.way_tags, where, strict=True)),
+        np.int64,
+        len(raw.way_tags),
     )
-    rows = np.zeros((len(sets), 4), np.int64)
-    for number, text in enumerate(sets):
+    rows = np.zeros((len(sets), 5), np.int64)
+    for number, (text, country) in enumerate(sets):
         tags = read_tags(text)
         ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
         name = tags.pop("name", destination)
         highway = tags.get("highway", "")
         if highway not in classes:
             continue
-        key = tuple(tags.items())
+        own = own_rules[country]
+        key = tuple(tags.items()), own.country
         reading = known.get(key)
         if reading is None:
             reading = known[key] = len(readings)
-            readings.append(read_way(tags, rules))
+            readings.append(read_way(tags, own))
         rows[number] = (
             reading, _class_code(highway),
             names.setdefault(ref, len(names)), names.setdefault(name, len(names)),
+            names.setdefault(country, len(names)),
         )  # fmt: skip
-    reading_of, road_class, ref_of, name_of = rows[way_set].T
+    reading_of, road_class, ref_of, name_of, country_of_way = rows[way_set].T
 
     def looked_up(values: list[Any], dtype: type) -> NDArray[Any]:
         by_way: NDArray[Any] = np.array(values, dtype)[reading_of]
@@ -168,12 +176,24 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         restriction=coded([reading.restriction for reading in readings]),
         backward_restriction=coded([reading.backward_restriction for reading in readings]),
         road_class=road_class.astype(np.uint8),
+        country=country_of_way,
         toll=looked_up([reading.toll for reading in readings], bool),
         ref=ref_of,
         name=name_of,
         texts=tuple(names),
         counts=_counts(readings, np.bincount(reading_of, minlength=len(readings)).tolist()),
     )
+
+
+def _countries(raw: RawMap, rules: TruckRules) -> list[str]:
+    """Return the country of each way: that asked for, else that of its first known node."""
+    known = np.flatnonzero(np.isfinite(raw.lon))
+    at = np.append(known, len(raw.lon))[np.searchsorted(known, raw.first[:-1])]
+    own = at < raw.first[1:]
+    lon, lat = (
+        np.where(own, np.append(values, np.nan)[at], np.nan) for values in (raw.lon, raw.lat)
+    )
+    return countries_of(rules, lon, lat)
 
 
 def _class_code(highway: str) -> int:
@@ -260,7 +280,8 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
             restriction=restriction,
             node_id=ids[spot], node_name=node_name[spot], node_ref=node_ref[spot],
             road_class=ways.road_class[source_way[own]], ref=codes[0][ways.ref[source_way[own]]],
-            name=codes[0][ways.name[source_way[own]]], toll=ways.toll[source_way[own]],
+            name=codes[0][ways.name[source_way[own]]],
+            country=codes[0][ways.country[source_way[own]]], toll=ways.toll[source_way[own]],
             way_id=raw.way_id[source_way[own]], texts=texts, points=_points(points, codes[3]),
             source=raw.source, report=report,
         )  # fmt: skip

@@ -15,6 +15,7 @@ import numpy as np
 from ...errors import MapDataError, NetworkError
 from ...network.load_report import Source
 from ...network.road_network import RoadNetwork
+from ..country.roads import countries_of
 from ..file_identity import osm_source, read_bytes
 from ..graphs.edge_tags import class_code
 from ..road_choice import RoadChoice
@@ -55,11 +56,18 @@ def read_overpass_cache(
     try:
         nodes = _nodes(file, answer["elements"])
         choice = RoadChoice(classes, rules, "ways")
-        segments = [
-            segment
+        ways = [
+            way
             for way in answer["elements"]
             if way["type"] == "way" and "highway" in way.get("tags", {})
-            for segment in _segments(way, nodes, choice)
+        ]
+        first = [next((nodes[u] for u in way["nodes"] if u in nodes), None) for way in ways]
+        places = np.array([one[:2] if one else (np.nan, np.nan) for one in first], np.float64)
+        where = countries_of(rules, *places.reshape(-1, 2).T)
+        segments = [
+            segment
+            for way, country in zip(ways, where, strict=True)
+            for segment in _segments(way, nodes, choice, country)
         ]
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise MapDataError(
@@ -133,15 +141,15 @@ def _tags(element: Mapping[str, Any]) -> dict[str, str]:
     return {str(key): str(value) for key, value in element.get("tags", {}).items()}
 
 
-Segment = tuple[int, int, Side, Mapping[str, str], int]
+Segment = tuple[int, int, Side, Mapping[str, str], int, str]
 
 
 def _segments(
-    way: Mapping[str, Any], nodes: Mapping[int, Place], choice: RoadChoice
+    way: Mapping[str, Any], nodes: Mapping[int, Place], choice: RoadChoice, country: str
 ) -> Iterator[Segment]:
     """Yield the directed pieces between consecutive nodes of a way."""
     tags = _tags(way)
-    reading = choice.read(tags)
+    reading = choice.read(tags, country)
     if reading is None:
         return
     for u, v in pairwise(way["nodes"]):
@@ -151,9 +159,9 @@ def _segments(
         if u == v:
             continue
         if reading.direction != BACKWARD:
-            yield u, v, reading.along, tags, _id(way)
+            yield u, v, reading.along, tags, _id(way), country
         if reading.direction in (BACKWARD, BOTH):
-            yield v, u, reading.against, tags, _id(way)
+            yield v, u, reading.against, tags, _id(way), country
 
 
 def _network(segments: list[Segment], nodes: Mapping[int, Place], source: Source) -> RoadNetwork:
@@ -179,6 +187,7 @@ def _network(segments: list[Segment], nodes: Mapping[int, Place], source: Source
         ref=np.array([item.get("ref", "") for item in tags], object),
         name=np.array([item.get("name", item.get("destination", "")) for item in tags], object),
         toll=np.array([side.toll for _, _, side, *_ in segments], np.bool_),
-        way_id=np.array([way for *_, way in segments], np.int64),
+        way_id=np.array([way for *_, way, _ in segments], np.int64),
+        country=np.array([country for *_, country in segments], object),
         source=source,
     )

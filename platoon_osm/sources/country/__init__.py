@@ -1,0 +1,1 @@
+"""Which country a road is in, where the map does not say."""
