@@ -133,7 +133,7 @@ def _saved(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
     return net.with_report(net.load_report.extended({}, remark))
 
 
-OSM = (".osm.pbf", ".osm", ".osm.gz", ".osm.bz2")
+OSM = (".osm.pbf", ".osm", ".osm.gz", ".osm.bz2", ".osh", ".osh.pbf", ".osh.gz", ".osc", ".osc.gz")
 
 READERS: Registry[Reader] = Registry(
     "reader",

@@ -190,7 +190,7 @@ def test_ways_before_their_nodes(tmp_path):
     path = tmp_path / "order.osm"
     head, *lines = xml(row(2), WAY).splitlines()
     path.write_text("\n".join([head, lines[0], lines[3], *lines[1:3], lines[4]]))
-    refused(path, "way 10", "nodes before ways")
+    assert load_network(path).m == 1
 
 
 @pytest.mark.parametrize("nodes", [[], [1], [1, 1], [1, 77]])

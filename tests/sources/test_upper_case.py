@@ -1,5 +1,6 @@
 """Names in upper case, as Windows users write them, and countries in lower case."""
 
+import gzip
 import json
 import warnings
 
@@ -53,6 +54,27 @@ def test_a_node_off_the_globe_is_named_in_upper_case_too(tmp_path):
         load_network(upper)
 
 
+@pytest.mark.parametrize("suffix", [".osh", ".osh.gz", ".osh.pbf"])
+def test_histories_in_either_case(tmp_path, suffix):
+    lower = write(tmp_path, *ROAD, suffix.replace("osh", "osm"))
+    known = load_network(lower).m
+    for name in (f"map{suffix}", f"MAP{suffix.upper()}"):
+        (tmp_path / name).write_bytes(lower.read_bytes())
+        assert load_network(tmp_path / name).m == known
+
+
+@pytest.mark.parametrize("suffix", [".osc", ".osc.gz"])
+def test_change_files_in_either_case(tmp_path, suffix):
+    text = write(tmp_path, *ROAD).read_text()
+    known = load_network(tmp_path / "made.osm").m
+    text = text.replace("<osm ", "<osmChange ").replace("</osm>", "</create></osmChange>")
+    text = text.replace(">\n<node", ">\n<create>\n<node", 1)
+    packed = gzip.compress(text.encode()) if suffix.endswith("gz") else text.encode()
+    for name in (f"map{suffix}", f"MAP{suffix.upper()}"):
+        (tmp_path / name).write_bytes(packed)
+        assert load_network(tmp_path / name).m == known
+
+
 def test_every_kind_of_graph_in_upper_case(tmp_path):
     osm = write(tmp_path, NODES, WAYS)
     with osmnx_settings(tmp_path / "cache", 0, {}):
@@ -71,6 +93,7 @@ def test_every_kind_of_graph_in_upper_case(tmp_path):
 
 def test_no_reader_was_forgotten():
     tried = {".osm", ".osm.pbf", ".osm.gz", ".osm.bz2", ".json", ".graphml", ".gpkg", ".platoon"}
+    tried |= {".osh", ".osh.pbf", ".osh.gz", ".osc", ".osc.gz"}
     assert {suffix for reader in READERS.values() for suffix in reader.suffixes} == tried
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -18,6 +19,11 @@ __all__ = ["Attributes", "EdgeRow", "GraphArrays", "check_degrees", "graph_array
 
 Attributes = Mapping[str, Any]
 EdgeRow = tuple[Hashable, Hashable, Attributes]
+
+IN_DEGREES = frozenset(
+    {"epsg:4326", "ogc:crs84", "wgs84", "urn:ogc:def:crs:ogc:1.3:crs84",
+     "urn:ogc:def:crs:epsg::4326"}
+)  # fmt: skip
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -51,7 +57,8 @@ def check_degrees(crs: Any) -> None:
     NetworkError
         With the name of the system and the way back to degrees.
     """
-    if crs is None or str(crs).lower() in {"epsg:4326", "ogc:crs84", "wgs84"}:
+    crs = _plain_crs(crs)
+    if crs is None or str(crs).lower() in IN_DEGREES:
         return
     from pyproj import CRS
     from pyproj.exceptions import CRSError
@@ -65,6 +72,23 @@ def check_degrees(crs: Any) -> None:
             f"graph: coordinates are in {str(crs)[:60]!r}, not in degrees; turn them back with "
             "osmnx.projection.project_graph(graph, to_latlong=True)"
         )
+
+
+def _plain_crs(crs: Any) -> Any:
+    """Return a coordinate system without the ways in which older programs wrote it.
+
+    OSMnx before 0.15 kept {'init': 'epsg:4326'}, which is a text in a file.
+    """
+    if isinstance(crs, str) and crs.strip().startswith("{"):
+        try:
+            crs = ast.literal_eval(crs.strip())
+        except (ValueError, SyntaxError):
+            return crs
+    if isinstance(crs, dict) and set(crs) == {"init"}:
+        crs = crs["init"]
+    if isinstance(crs, str):
+        return crs.strip().removeprefix("+init=").removeprefix("init=")
+    return crs
 
 
 def graph_arrays(
@@ -172,6 +196,9 @@ def _shapes(
                     f"graph: edge {u!r} -> {v!r} has a geometry that is no well-known text; "
                     "store a LINESTRING or leave it out"
                 ) from error
+        if getattr(geometry, "geom_type", "") == "MultiLineString":
+            # What QGIS and ArcGIS save for a line; parts that follow each other are one, too.
+            geometry = shapely.line_merge(geometry, directed=True)
         if geometry is not None and getattr(geometry, "geom_type", "") != "LineString":
             raise NetworkError(
                 f"graph: edge {u!r} -> {v!r} has a {getattr(geometry, 'geom_type', geometry)!s:.40}"

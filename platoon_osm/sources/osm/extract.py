@@ -85,7 +85,7 @@ def read_osm(
         first = raw.way_id[np.argmax(ways.kept)]
         raise MapDataError(
             f"{file}: none of {count['ways kept']} ways (first: way {first}) has two nodes with "
-            "coordinates; extract the area again with complete ways, nodes before ways"
+            "coordinates; extract the area again with complete ways"
         )
     return net
 

@@ -27,6 +27,7 @@ from ...vehicles.access import BARRIERS, CHAIN
 from ..file_identity import osm_source
 from .file_kind import osm_file
 from .josm import deleted_ways, new_node_positions, xml_items
+from .patchwork import fill_in, has_versions, last_states, newest, node_index
 
 __all__ = ["OsmNameError", "RawMap", "TagReader", "read_raw"]
 
@@ -138,12 +139,21 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         turns=tuple(_turn(line) for line in turns),
         left_out={},
     )
+    fill_in(path, raw.ref, raw.lon, raw.lat)
     _place_new_nodes(path, raw)
+    version = np.array(found.versions, np.int64)
+    for reason in dict.fromkeys(found.gone.values()):
+        ids = [way for way, why in found.gone.items() if why == reason]
+        gone = np.isin(raw.way_id, np.array(ids, np.int64))
+        version = version[~gone]
+        raw = _left_out(raw, gone, f"ways left out: {reason}")
     deleted = found.deleted | (deleted_ways(path) if found.generator == "JOSM" else set())
     if deleted:
         gone = np.isin(raw.way_id, np.fromiter(deleted, np.int64, len(deleted)))
+        version = version[~gone]
         raw = _left_out(raw, gone, "ways left out: deleted")
-    return _left_out(raw, _repeated(raw.way_id), "ways left out: listed again further on")
+    again = newest(raw.way_id, version)
+    return _left_out(raw, again, "ways left out: listed again further on")
 
 
 def _place_new_nodes(path: Path, raw: RawMap) -> None:
@@ -154,16 +164,6 @@ def _place_new_nodes(path: Path, raw: RawMap) -> None:
         for k, node in zip(at.tolist(), raw.ref[at].tolist(), strict=True):
             if node in places:
                 raw.lon[k], raw.lat[k] = _on_the_globe(path, node, *places[node])
-
-
-def _repeated(way_id: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Mark ways that follow again, as in files put together from overlapping extracts."""
-    repeated = np.zeros(len(way_id), np.bool_)
-    if (np.diff(way_id) <= 0).any():
-        _, from_end = np.unique(way_id[::-1], return_index=True)
-        repeated[:] = True
-        repeated[len(way_id) - 1 - from_end] = False
-    return repeated
 
 
 def _left_out(raw: RawMap, gone: NDArray[np.bool_], reason: str) -> RawMap:
@@ -232,6 +232,8 @@ class _Collector:
     Attributes
     ----------
     deleted : ways whose last version is a deletion, as in files with history.
+    gone : ways whose last version is no road, and why.
+    versions : those of the ways, in their order.
     extracted, generator : what the file's head says of itself.
     """
 
@@ -245,6 +247,8 @@ class _Collector:
         self._unfit: tuple[type[Exception], ...] = (osmium.InvalidLocationError, RuntimeError)
         self.shapes: list[str] = []
         self.deleted: set[int] = set()
+        self.gone: dict[int, str] = {}
+        self.versions: list[int] = []
         self.extracted = self.generator = ""
 
     def way(self, way: Any) -> None:
@@ -254,6 +258,7 @@ class _Collector:
         if self.deleted:
             self.deleted.discard(way.id)
         self._add_way(way)
+        self.versions.append(way.version)
         try:
             self.shapes.append(self._line(way, self._all)[WKB_HEADER:])
         except self._unfit:
@@ -286,10 +291,17 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
         collector = _Collector(writer)
         kinds = osmium.osm.NODE | osmium.osm.WAY | osmium.osm.RELATION
         with osmium.io.Reader(osm_file(path), kinds) as reader:
-            locations = osmium.NodeLocationsForWays(osmium.index.create_map("flex_mem"))
-            locations.ignore_errors()
             wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS, *TURN_TAGS)
-            osmium.apply(reader, locations, wanted, collector)
+            versions = has_versions(path, reader.header())
+            index = node_index(path) if versions else osmium.index.create_map("flex_mem")
+            locations = osmium.NodeLocationsForWays(index)
+            locations.ignore_errors()
+            if versions:
+                collector.gone = last_states(path, {*tags, *NODE_TAGS})
+            # Where ways tell their places themselves, the nodes are not in the file.
+            told = reader.header().get("pbf_optional_feature_0") == "LocationsOnWays"
+            handlers = (wanted, collector) if told else (locations, wanted, collector)
+            osmium.apply(reader, *handlers)
             collector.extracted = reader.header().get("timestamp")
             collector.generator = reader.header().get("generator")
         # Writing happens in another thread; what goes wrong there may show only on closing.

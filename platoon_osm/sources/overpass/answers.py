@@ -125,7 +125,10 @@ def _nodes(file: Path, elements: list[Any]) -> dict[int, Place]:
             raise MapDataError(
                 f"{file}: node {element['id']} lies at lon {lon}, lat {lat}; fetch the file again"
             )
-        nodes[_id(element)] = (lon, lat, _tags(element))
+        # Listed again without tags, as by "out skel", it keeps those it had.
+        before = nodes.get(_id(element))
+        tags = _tags(element) if "tags" in element or before is None else before[2]
+        nodes[_id(element)] = (lon, lat, tags)
     return nodes
 
 

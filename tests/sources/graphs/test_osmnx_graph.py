@@ -8,11 +8,13 @@ import math
 import networkx as nx
 import osmnx
 import pytest
+import shapely
 from places import SHARED as BESIDE
 from small_osm import ROADS, as_overpass, as_xml, edge_between
 
 from platoon_osm.errors import MapDataError, NetworkError, PlatoonError
 from platoon_osm.sources.graphs.exchange import to_networkx
+from platoon_osm.sources.graphs.graph_arrays import check_degrees, graph_arrays
 from platoon_osm.sources.graphs.osmnx_graph import (
     network_from_osmnx,
     read_geopackage,
@@ -363,3 +365,34 @@ def test_real_extract_against_osmnx(tmp_path):
         osmnx.simplification.simplify_graph(graph), ("motorway",), TruckRules("DE")
     )
     assert simplified.length_m.sum() == pytest.approx(expected, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    "crs",
+    [
+        "{'init': 'epsg:4326'}", {"init": "epsg:4326"}, "+init=epsg:4326",
+        "+proj=longlat +datum=WGS84 +no_defs", "urn:ogc:def:crs:OGC:1.3:CRS84", "OGC:CRS84",
+    ],
+)  # fmt: skip
+def test_degrees_in_the_words_of_older_programs(crs):
+    check_degrees(crs)
+
+
+@pytest.mark.parametrize("crs", ["{'init': 'epsg:32632'}", "{broken", "+init=epsg:32632"])
+def test_metres_stay_refused(crs):
+    with pytest.raises(NetworkError, match="not in degrees"):
+        check_degrees(crs)
+
+
+def test_lines_that_other_programs_saved_as_several_parts():
+    def drawn(geometry):
+        nodes = [("a", {"x": 11.0, "y": 45.0}), ("b", {"x": 11.2, "y": 45.0})]
+        return graph_arrays(nodes, [("a", "b", {"geometry": geometry})])
+
+    one = shapely.MultiLineString([[(11.0, 45.0), (11.1, 45.1), (11.2, 45.0)]])
+    two = shapely.MultiLineString([[(11.0, 45.0), (11.1, 45.1)], [(11.1, 45.1), (11.2, 45.0)]])
+    for geometry in (one, two, two.wkt):
+        assert drawn(geometry).shape_lon.tolist() == [11.0, 11.1, 11.2]
+    apart = shapely.MultiLineString([[(11.0, 45.0), (11.1, 45.1)], [(11.15, 45.1), (11.2, 45.0)]])
+    with pytest.raises(NetworkError, match="a MultiLineString as geometry"):
+        drawn(apart)
