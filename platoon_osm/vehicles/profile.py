@@ -141,15 +141,16 @@ class Vehicle:
             Name, size, mass, and what is special.
         """
         parts = [
-            f"{self.height_m:g} m high, {self.width_m:g} m wide, {self.length_m:g} m long",
-            f"{self.mass_t:g} t, {self.axle_load_t:g} t an axle",
+            f"{_figure(self.height_m)} m high, {_figure(self.width_m)} m wide, "
+            f"{_figure(self.length_m)} m long",
+            f"{_figure(self.mass_t)} t, {_figure(self.axle_load_t)} t an axle",
         ]
         if self.rating_t is not None and self.rating_t != self.mass_t:
-            parts.append(f"rated {self.rating_t:g} t")
+            parts.append(f"rated {_figure(self.rating_t)} t")
         if self.tunnel_code:
             parts.append(f"dangerous goods, tunnel code {self.tunnel_code}")
         limiter = self.limiter_kmh
-        parts.append("no speed limiter" if limiter is None else f"limiter {limiter:g} km/h")
+        parts.append("no speed limiter" if limiter is None else f"limiter {_figure(limiter)} km/h")
         return f"{self.name}, {', '.join(parts)}"
 
     def to_dict(self) -> dict[str, Any]:
@@ -161,6 +162,11 @@ class Vehicle:
             Every field by name.
         """
         return asdict(self)
+
+
+def _figure(value: float) -> str:
+    """Return a size to the centimetre, a mass to ten kilogrammes."""
+    return f"{round(value, 2):g}"
 
 
 KEYS = tuple(item.name for item in fields(Vehicle))
