@@ -18,14 +18,14 @@ def markdown_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
 
-def write_section(name: str, text: str) -> None:
+def write_section(name: str, text: str, page: Path = DOCUMENT) -> None:
     """Replace what stands between `<!-- name:begin -->` and `<!-- name:end -->`."""
     begin, end = f"<!-- {name}:begin -->", f"<!-- {name}:end -->"
-    document = DOCUMENT.read_text(encoding="utf-8") if DOCUMENT.is_file() else "# Performance\n"
+    document = page.read_text(encoding="utf-8") if page.is_file() else "# Performance\n"
     section = f"{begin}\n{text}\n{end}"
     pattern = re.compile(re.escape(begin) + ".*?" + re.escape(end), re.DOTALL)
     if pattern.search(document):
         document = pattern.sub(lambda _: section, document)
     else:
         document = f"{document.rstrip()}\n\n{section}\n"
-    DOCUMENT.write_text(document, encoding="utf-8")
+    page.write_text(document, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Which roads are open to which vehicle, and what if one of them were closed?
+"""Which roads are open to which vehicle, and what happens if one of them is closed.
 
 On the true extract of California that comes with the package: how much of it is closed to a truck
 and to a van, a plan for vehicles that differ, and the same with the Interstate 5 closed near

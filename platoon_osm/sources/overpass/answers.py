@@ -56,11 +56,14 @@ def read_overpass_cache(
     try:
         nodes = _nodes(file, answer["elements"])
         choice = RoadChoice(classes, rules, "ways")
-        ways = [
-            way
-            for way in answer["elements"]
-            if way["type"] == "way" and "highway" in way.get("tags", {})
-        ]
+        ways = _with_nodes(
+            [
+                way
+                for way in _last(answer["elements"])
+                if way["type"] == "way" and "highway" in way.get("tags", {})
+            ],
+            nodes,
+        )
         first = [next((nodes[u] for u in way["nodes"] if u in nodes), None) for way in ways]
         places = np.array([one[:2] if one else (np.nan, np.nan) for one in first], np.float64)
         where = countries_of(rules, *places.reshape(-1, 2).T)
@@ -109,6 +112,56 @@ def _answer(file: Path, content: bytes) -> dict[str, Any]:
             f"{file}: Overpass gave no data: {_one_line(answer['remark'])}; ask for a smaller area"
         )
     return answer
+
+
+NOWHERE = -(10**15)
+"""Ids from here down are of nodes outside of the area that was asked for: no road goes on there."""
+
+
+def _last(elements: list[Any]) -> list[Any]:
+    """Return elements without those that are listed again: the last counts, but for its tags.
+
+    "out skel" lists objects without tags; they keep those they had.
+    """
+    found: dict[tuple[str, int], Any] = {}
+    for element in elements:
+        key = element["type"], _id(element)
+        before = found.pop(key, None)
+        if before is None or _version(element) >= _version(before) or "tags" not in before:
+            kept, other = element, before
+        else:
+            kept, other = before, element
+        found[key] = kept if other is None else {**other, **kept}
+    return list(found.values())
+
+
+def _version(element: Mapping[str, Any]) -> float:
+    """Return the version of an element; one that tells none is as new as any."""
+    return float(element.get("version", math.inf))
+
+
+def _with_nodes(ways: list[Any], nodes: dict[int, Place]) -> list[Any]:
+    """Return ways that name their nodes; of "out geom" the places are taken from the ways."""
+    spots: dict[tuple[float, float], int] = {}
+    found = []
+    for way in ways:
+        geometry = way.get("geometry")
+        if not isinstance(geometry, list):
+            found.append(way)
+            continue
+        own = way.get("nodes")
+        # Without ids, equal places are the same node: so Overpass cuts nothing apart.
+        ids = own or [
+            NOWHERE - place
+            if at is None
+            else spots.setdefault((at["lon"], at["lat"]), -1 - len(spots))
+            for place, at in enumerate(geometry)
+        ]
+        for number, at in zip(ids, geometry, strict=True):
+            if at is not None:
+                nodes.setdefault(int(number), (float(at["lon"]), float(at["lat"]), {}))
+        found.append({**way, "nodes": ids})
+    return found
 
 
 def _one_line(text: object) -> str:

@@ -126,3 +126,44 @@ def test_overpass_lists_nodes_again_without_their_tags(tmp_path):
     path = tmp_path / "answer.json"
     path.write_text(json.dumps({"version": 0.6, "elements": [named, *ways, *bare]}))
     assert po.load_network(path, country="IT").report()["named junctions"] == 1
+
+
+def answer(folder, *elements):
+    path = folder / "answer.json"
+    path.write_text(json.dumps({"version": 0.6, "elements": list(elements)}))
+    return po.load_network(path, country="IT")
+
+
+def line(number, refs, **more):
+    geometry = [dict(zip(("lon", "lat"), NODES[ref], strict=True)) for ref in refs]
+    return {"type": "way", "id": number, "tags": ROAD, "geometry": geometry, **more}
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_overpass_ways_with_their_own_geometry(tmp_path, named):
+    parts = [line(10, [1, 2, 3], **({"nodes": [1, 2, 3]} if named else {})),
+             line(11, [2, 4], **({"nodes": [2, 4]} if named else {}))]  # fmt: skip
+    net = answer(tmp_path, *parts)
+    assert net.m == 3
+    assert net.length_m.sum() == pytest.approx(
+        distance_m(11.0, 45, 11.2, 45) + distance_m(11.1, 45, 11.1, 45.1), rel=1e-6
+    )
+    assert (net.node_id > 0).all() == named
+
+
+def test_no_road_is_made_across_what_lies_outside_the_area(tmp_path):
+    cut = line(10, [1, 2, 3, 4])
+    cut["geometry"][1] = None
+    net = answer(tmp_path, cut)
+    assert (net.m, net.report()["segments dropped: node not in the answer"]) == (1, 2)
+
+
+def test_overpass_ways_listed_again(tmp_path):
+    bare = {"type": "way", "id": 10, "nodes": [1, 2, 3]}
+    nodes = [{"type": "node", "id": k, "lon": x, "lat": y} for k, (x, y) in NODES.items()]
+    net = answer(tmp_path, {**bare, "tags": ROAD}, bare, *nodes)
+    assert (net.m, net.report()["ways kept"]) == (1, 1)
+    older = {**bare, "nodes": [1, 4], "version": 1, "tags": ROAD}
+    newer = {**bare, "version": 2, "tags": ROAD}
+    net = answer(tmp_path, newer, older, *nodes)
+    assert net.lat.max() == 45.0
