@@ -2,6 +2,7 @@
 
     python maps/build_italy.py            # writes maps/italy-motorways.osm
     python maps/build_italy.py --check    # prints lengths and doubtful sections, writes nothing
+    python maps/build_italy.py --towns    # prints how far exits lie from the towns of their names
 
 The tables give the interchanges, exits and ends of every motorway with kilometre post and
 position (format: maps/README.md). This script draws a smooth line through the positions, makes
@@ -26,6 +27,7 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 import numpy.typing as npt
+from italy_towns import Exit, compare
 
 HERE = Path(__file__).resolve().parent
 TABLES = HERE / "italy"
@@ -37,6 +39,8 @@ KINDS = (*STOP_KINDS, *POINT_KINDS, "shape", "break")
 ROW_COLUMNS = ("km", "kind", "name", "ref", "lat", "lon")
 MOTORWAY_COLUMNS = ("ref", "name", "official_km", "toll", "maxspeed", "source")
 PLACE_COLUMNS = ("name", "kind", "lat", "lon", "population")
+FERRY_COLUMNS = ("name", "minutes", "motorway", "exit", "lat", "lon", "source")
+PARKING_COLUMNS = ("motorway", "km", "name", "spaces", "source")
 REF = re.compile(r"(A|D|R|RA)([0-9]{1,3})")  # autostrada, diramazione, raccordi
 REF_BASE = {"A": 0, "D": 500, "R": 600, "RA": 700}  # for the ids
 ITALY = (35.0, 47.5, 6.0, 19.0)  # south, north, west, east
@@ -65,6 +69,7 @@ ROLE_LINK = 10  # 10-13: links of an exit
 ROLE_POINT = 30  # 30-39: service areas at the same km
 ROLE_RAMP = 40  # 40-99: ramps of an interchange (ways), their shape points (nodes)
 PLACE_ID = 9 * 10**11
+FERRY_ID = 8 * 10**11
 
 Array = npt.NDArray[np.float64]
 
@@ -123,12 +128,27 @@ class Place:
 
 
 @dataclass(frozen=True)
+class Quay:
+    """One row of ferries.csv: a quay, the exit that leads to it, and how long the ferry sails."""
+
+    where: str
+    ferry: str
+    minutes: int
+    motorway: str
+    exit: str
+    lat: float
+    lon: float
+
+
+@dataclass(frozen=True)
 class Tables:
-    """All tables of the map; rows by motorway."""
+    """All tables of the map; rows by motorway, spaces for trucks by (motorway, metre, name)."""
 
     motorways: list[Motorway]
     rows: dict[str, list[Row]]
     places: list[Place]
+    quays: list[Quay]
+    parkings: dict[tuple[str, int, str], str]
 
 
 Record = tuple[str, dict[str, str]]
@@ -227,6 +247,62 @@ def read_places(path: Path) -> list[Place]:
     return list(places.values())
 
 
+def exit_of(quay: Quay, rows: dict[str, list[Row]]) -> Row | None:
+    """Find the exit that leads to a quay."""
+    for row in rows.get(quay.motorway, []):
+        if row.name == quay.exit and row.kind in ("junction", "end"):
+            return row
+    return None
+
+
+def read_quays(path: Path, rows: dict[str, list[Row]]) -> list[Quay]:
+    """Read the ferries, two rows each; none without the table."""
+    quays = []
+    for record in records(path, FERRY_COLUMNS) if path.exists() else ():
+        where, fields = record
+        quay = Quay(
+            where,
+            fields["name"],
+            int(number(record, "minutes", 1, 2000)),
+            fields["motorway"],
+            fields["exit"],
+            *position(record),
+        )
+        if exit_of(quay, rows) is None:
+            raise TableError(
+                f"{where}: {quay.motorway} has no exit {quay.exit!r}; name an exit of its table"
+            )
+        quays.append(quay)
+    for name in dict.fromkeys(quay.ferry for quay in quays):
+        ends = [quay for quay in quays if quay.ferry == name]
+        if len(ends) != 2 or ends[0].minutes != ends[1].minutes:
+            raise TableError(
+                f"{ends[0].where}: ferry {name!r} needs two rows with the same minutes; correct it"
+            )
+    return quays
+
+
+def read_parkings(path: Path, rows: dict[str, list[Row]]) -> dict[tuple[str, int, str], str]:
+    """Read the spaces for trucks of service and rest areas; none without the table."""
+    parkings = {}
+    for record in records(path, PARKING_COLUMNS) if path.exists() else ():
+        where, fields = record
+        metre = round(number(record, "km", 0, 999.9) * 1000)
+        areas = [
+            row
+            for row in rows.get(fields["motorway"], [])
+            if row.kind in POINT_KINDS and (row.metre, row.name) == (metre, fields["name"])
+        ]
+        if not areas:
+            raise TableError(
+                f"{where}: {fields['motorway']} has no area {fields['name']!r} at km"
+                f" {fields['km']}; name a service or rest row of its table"
+            )
+        spaces = str(int(number(record, "spaces", 1, 5000)))
+        parkings[fields["motorway"], metre, fields["name"]] = spaces
+    return parkings
+
+
 def read_row(record: Record) -> Row:
     where, fields = record
     km = round(number(record, "km", 0, 999.9), 1)
@@ -287,7 +363,10 @@ def read_tables(folder: Path) -> Tables:
         if REF.fullmatch(path.stem) and path.stem not in known:
             raise TableError(f"{path.name}: not listed in motorways.csv; add a row for {path.stem}")
     rows = {m.ref: read_rows(folder / f"{m.ref}.csv", m.ref) for m in motorways}
-    tables = Tables(motorways, rows, read_places(folder / "places.csv"))
+    places = read_places(folder / "places.csv")
+    quays = read_quays(folder / "ferries.csv", rows)
+    parkings = read_parkings(folder / "truck_parkings.csv", rows)
+    tables = Tables(motorways, rows, places, quays, parkings)
     check_interchanges(tables)
     return tables
 
@@ -739,10 +818,10 @@ def ramp_points(origin: tuple[int, Point], goal: tuple[int, Point]) -> list[tupl
     return points
 
 
-def add_points(osm: Osm, motorway: Motorway, rows: list[Row], lines: list[Line]) -> None:
-    """Add service and rest areas beside the road."""
+def add_points(osm: Osm, motorway: Motorway, tables: Tables, lines: list[Line]) -> None:
+    """Add service and rest areas beside the road; all of them are open to trucks."""
     used: dict[int, int] = {}
-    for row in rows:
+    for row in tables.rows[motorway.ref]:
         if row.kind not in POINT_KINDS:
             continue
         line = next((x for x in lines if x.rows[0].km <= row.km <= x.rows[-1].km), None)
@@ -752,7 +831,10 @@ def add_points(osm: Osm, motorway: Motorway, rows: list[Row], lines: list[Line])
         highway = "services" if row.kind == "service" else "rest_area"
         identity = object_id(motorway.ref, row.metre, ROLE_POINT + index)
         where = line.at(row.metre).beside(SERVICE_OFFSET * (1 if index % 2 == 0 else -1))
-        osm.node(identity, where, tagged(highway=highway, name=row.name, ref=row.ref))
+        tags = tagged(highway=highway, name=row.name, ref=row.ref, hgv="yes")
+        if spaces := tables.parkings.get((motorway.ref, row.metre, row.name)):
+            tags["capacity:hgv"] = spaces
+        osm.node(identity, where, tags)
 
 
 def add_places(osm: Osm, places: list[Place]) -> None:
@@ -760,6 +842,35 @@ def add_places(osm: Osm, places: list[Place]) -> None:
         identity = PLACE_ID + zlib.crc32(place.name.encode())
         tags = tagged(place=place.kind, name=place.name, population=place.population)
         osm.node(identity, (place.lat, place.lon), tags)
+
+
+def add_ferries(osm: Osm, tables: Tables) -> None:
+    """Add ferries as ways between quays, and roads from the exits to the quays and back."""
+    ends: dict[str, list[int]] = {}
+    for quay in tables.quays:
+        base = FERRY_ID + zlib.crc32(quay.ferry.encode()) * 10
+        mine = ends.setdefault(quay.ferry, [])
+        row = exit_of(quay, tables.rows)
+        assert row is not None  # read_quays has seen it
+        gate = object_id(quay.motorway, row.metre, ROLE_GATE)
+        tags = tagged(amenity="ferry_terminal", name=f"{quay.exit}, {quay.ferry}")
+        terminal = osm.node(base + len(mine), (quay.lat, quay.lon), tags)
+        gap = Frame(quay.lat, quay.lon).metres(*osm.nodes[gate][:2])
+        if float(np.hypot(*gap)) > MAX_INTERCHANGE_GAP:
+            raise TableError(
+                f"{quay.where}: the quay is more than {MAX_INTERCHANGE_GAP / 1000} km from"
+                f" {quay.exit}; correct the position that is wrong"
+            )
+        road = tagged(
+            highway="motorway_link", oneway="yes", destination=quay.ferry, maxspeed=50, lanes=1
+        )
+        for index, nodes in enumerate(([gate, terminal], [terminal, gate])):
+            osm.way(base + 2 + 2 * len(mine) + index, nodes, road)
+        mine.append(terminal)
+        if len(mine) == 2:
+            duration = f"{quay.minutes // 60:02d}:{quay.minutes % 60:02d}"
+            tags = tagged(route="ferry", name=quay.ferry, duration=duration, hgv="yes")
+            osm.way(base, mine, {**tags, "motor_vehicle": "yes"})
 
 
 def build(tables: Tables, lines: dict[str, list[Line]]) -> Osm:
@@ -773,9 +884,10 @@ def build(tables: Tables, lines: dict[str, list[Line]]) -> Osm:
             for row in line.stops:
                 if row.kind != "interchange":
                     add_exit(osm, motorway, row, found[row.metre])
-        add_points(osm, motorway, tables.rows[ref], lines[ref])
+        add_points(osm, motorway, tables, lines[ref])
     for members in interchanges(tables).values():
         add_interchange(osm, [(motorways[ref], row, stops[ref, row.metre]) for ref, row in members])
+    add_ferries(osm, tables)
     add_places(osm, tables.places)
     return osm
 
@@ -873,7 +985,22 @@ def check(tables: Tables, lines: dict[str, list[Line]]) -> Report:
         f"all  {exits:5.0f} {official:9.1f} {posts_sum:7.1f} {built_sum:7.1f}"
         f" {built_sum / official - 1:+7.1%}"
     )
-    return Report([*report, *details, f"{errors} errors"], errors)
+    count = sum(len(line.lengths) for mine in lines.values() for line in mine)
+    checked = (
+        f"checked: {count} sections, straight distance against posts; "
+        f"{len(tables.motorways)} lengths; {len(interchanges(tables))} interchanges, the distance "
+        f"of their motorways; {len(tables.quays)} quays; {len(tables.parkings)} areas with spaces"
+    )
+    return Report([*report, *details, checked, f"{errors} errors"], errors)
+
+
+def exits_of(tables: Tables) -> list[Exit]:
+    return [
+        Exit(ref, row.name, row.lat, row.lon)
+        for ref, rows in tables.rows.items()
+        for row in rows
+        if row.kind in STOP_KINDS
+    ]
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -881,6 +1008,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--tables", type=Path, default=TABLES, help="folder with the tables")
     parser.add_argument("--output", type=Path, default=OUTPUT, help="OSM XML file to write")
     parser.add_argument("--check", action="store_true", help="report doubtful rows, write nothing")
+    parser.add_argument("--towns", action="store_true", help="compare exits with towns, no writing")
     options = parser.parse_args(arguments)
     try:
         tables = read_tables(options.tables)
@@ -889,6 +1017,9 @@ def main(arguments: list[str] | None = None) -> int:
     except TableError as error:
         print(error, file=sys.stderr)
         return 2
+    if options.towns:
+        print("\n".join(compare(exits_of(tables))))
+        return 0
     if options.check:
         report = check(tables, lines)
         print("\n".join(report.lines))

@@ -16,13 +16,16 @@ from pathlib import Path
 import networkx as nx
 import pytest
 
+import platoon_osm as po
+from platoon_osm.network.road_network import ROAD_CLASSES
+
 ROOT = Path(__file__).resolve().parents[1]
 SCRIPT = ROOT / "maps" / "build_italy.py"
 TABLES = ROOT / "maps" / "italy"
 MAP = ROOT / "maps" / "italy-motorways.osm"
 ETIS = ROOT.parent / "shared" / "data" / "etis" / "IT" / "graph.graphml"
 
-MOTORWAYS = [f"A{i}" for i in (*range(1, 16), *range(21, 29), 30, 31)] + ["A16"]
+MOTORWAYS = [f"A{i}" for i in (*range(1, 17), *range(18, 37), 52, 58, 59, 60)]  # there is no A17
 
 CITIES = {
     "Milano": (45.464, 9.190),
@@ -79,16 +82,18 @@ class Parsed:
     def graph(self) -> nx.DiGraph:
         graph = nx.DiGraph()
         for nodes, tags in self.ways.values():
-            assert tags["oneway"] == "yes"
+            assert tags.get("oneway") == "yes" or tags.get("route") == "ferry"
             for a, b in pairwise(nodes):
                 graph.add_edge(a, b, km=self.metres(a, b) / 1000)
+                if "oneway" not in tags:
+                    graph.add_edge(b, a, km=self.metres(a, b) / 1000)
         return graph
 
     def motorway_ways(self, ref: str) -> list[int]:
         return [
             way
             for way, (_, tags) in self.ways.items()
-            if tags["highway"] == "motorway" and tags["ref"] == ref
+            if tags.get("highway") == "motorway" and tags["ref"] == ref
         ]
 
 
@@ -191,9 +196,9 @@ def test_at_least_300_junctions_on_both_carriageways(italy: Parsed) -> None:
 
 
 def test_all_motorways_are_there(italy: Parsed) -> None:
-    present = {tags["ref"] for _, tags in italy.ways.values() if tags["highway"] == "motorway"}
+    present = {tags["ref"] for _, tags in italy.ways.values() if tags.get("highway") == "motorway"}
     assert set(MOTORWAYS) <= present
-    assert len(set(MOTORWAYS)) == 26
+    assert len(set(MOTORWAYS)) == 39
 
 
 @pytest.mark.parametrize("ref", MOTORWAYS)
@@ -210,7 +215,7 @@ def test_nodes_stand_close_enough_for_a_smooth_road(italy: Parsed) -> None:
     gaps = [
         italy.metres(a, b)
         for nodes, tags in italy.ways.values()
-        if tags["highway"] == "motorway"
+        if tags.get("highway") == "motorway"
         for a, b in pairwise(nodes)
     ]
     assert max(gaps) < 2100
@@ -218,7 +223,7 @@ def test_nodes_stand_close_enough_for_a_smooth_road(italy: Parsed) -> None:
 
 
 def test_links_are_short(italy: Parsed) -> None:
-    links = [w for w, (_, tags) in italy.ways.items() if tags["highway"] == "motorway_link"]
+    links = [w for w, (_, tags) in italy.ways.items() if tags.get("highway") == "motorway_link"]
     assert max(italy.length(way) for way in links) < 2600
 
 
@@ -233,6 +238,100 @@ def test_places_and_service_areas_have_names(italy: Parsed) -> None:
         tags["name"] for tags in places
     }
     assert all(int(tags["population"]) > 0 for tags in places)
+
+
+def test_the_ferry_joins_sicily_to_the_mainland(italy: Parsed, italy_graph: nx.DiGraph) -> None:
+    ferries = [(nodes, tags) for nodes, tags in italy.ways.values() if "highway" not in tags]
+    (nodes, tags) = ferries[0]
+    assert [tags] == [
+        {"route": "ferry", "name": "Villa San Giovanni - Messina", "duration": "00:20",
+         "hgv": "yes", "motor_vehicle": "yes"}
+    ]  # fmt: skip
+    assert len(ferries) == 1
+    assert 6_000 < italy.metres(*nodes) < 8_000
+    ashore = italy_graph.copy()
+    ashore.remove_edges_from([(nodes[0], nodes[1]), (nodes[1], nodes[0])])
+    parts = list(nx.strongly_connected_components(ashore))
+    assert len(parts) == 2
+    for part in parts:
+        sicilian = {node // 10**8 in (18, 19, 20, 29, 529, 618, 629, 715) for node in part
+                    if node < 8 * 10**11}  # fmt: skip
+        assert len(sicilian) == 1, "one part is Sicily, the other is not"
+
+
+def test_trucks_cross_the_strait_and_the_crossing_takes_its_time() -> None:
+    net = po.load_network("italy-motorways")
+    assert net.connected_share() == pytest.approx(1.0)
+    assert net.report()["ferries taken"] == 1
+    plan = po.plan_joint(net, po.paper_weights(net), [po.Trip("A", "Napoli", "Palermo")])
+    driven = sum(leg.length_m for leg in plan.vehicles[0].legs) / 1000
+    assert driven == pytest.approx(715, rel=0.03)  # A3, A2, the strait, A20, A19 by their posts
+    ferry = net.road_class == ROAD_CLASSES.index("ferry")
+    seconds = net.length_m[ferry] / net.speed_mps[ferry]
+    assert len(seconds) == 2
+    assert seconds == pytest.approx(20 * 60, rel=0.001)
+
+
+SICILY = [("Palermo", "Catania", 205), ("Messina", "Catania", 97), ("Palermo", "Trapani", 100)]
+
+
+@pytest.mark.parametrize(("origin", "destination", "km"), SICILY)
+def test_distances_in_sicily_are_those_on_the_signs(origin: str, destination: str, km: int) -> None:
+    net = po.load_network("italy-motorways")
+    plan = po.plan_joint(net, po.paper_weights(net), [po.Trip("A", origin, destination)])
+    driven = sum(leg.length_m for leg in plan.vehicles[0].legs) / 1000
+    assert driven == pytest.approx(km, abs=12)
+
+
+def test_areas_are_open_to_trucks_and_some_say_for_how_many(italy: Parsed) -> None:
+    areas = [
+        tags for tags in italy.node_tags.values()
+        if tags.get("highway") in ("services", "rest_area")
+    ]  # fmt: skip
+    assert all(tags["hgv"] == "yes" for tags in areas)
+    spaces = {tags["name"]: tags["capacity:hgv"] for tags in areas if "capacity:hgv" in tags}
+    assert spaces["Autoparco Rovereto Sud"] == "96"
+    assert len(spaces) == len((TABLES / "truck_parkings.csv").read_text().splitlines()) - 1
+
+
+def test_interchanges_lie_where_the_etis_network_has_its_nodes(etis: nx.DiGraph) -> None:
+    """ETIS is independent of the tables: of its nodes beside an interchange, most are within 2 km.
+
+    Not all: where a motorway begins, ETIS has the junction of the town's streets beside it.
+    """
+    gaps = []
+    interchanges = {}
+    for path in TABLES.glob("[ADR]*.csv"):
+        with path.open(encoding="utf-8", newline="") as table:
+            for row in csv.DictReader(table):
+                if row["kind"] == "interchange":
+                    interchanges[path.stem, row["name"]] = float(row["lat"]), float(row["lon"])
+    for _, data in etis.nodes(data=True):
+        where = data["position_y"], data["position_x"]
+        gaps.append(haversine(where, interchanges[nearest(where, interchanges)]) / 1000)
+    beside = [gap for gap in gaps if gap < 4]
+    assert len(beside) > 60
+    assert sum(gap < 2 for gap in beside) > 0.93 * len(beside)
+
+
+def test_exits_are_compared_with_the_towns_they_are_named_after(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "maps"))
+    import italy_towns
+
+    towns = {"chieti": [(42.35, 14.17)], "ortona": [(42.36, 14.40)], "pistoia": [(43.93, 10.92)]}
+    monkeypatch.setattr(italy_towns, "italian_towns", lambda: towns)
+    lines = italy_towns.compare([
+        italy_towns.Exit("A14", "Chieti Nord-Ortona", 42.36, 14.38),
+        italy_towns.Exit("A11", "A11/D11 Pistoia", 43.93, 11.05),
+        italy_towns.Exit("A1", "Nessuno", 43.0, 12.0),
+    ])  # fmt: skip
+    assert lines == [
+        "2 of 3 exits bear the name of a town: 50% within 2 km, 50% within 5 km, 50% within 8 km, "
+        "100% within 12 km",
+        "look:  A11 A11/D11 Pistoia: 10.4 km",
+    ]
 
 
 def test_pyosmium_reads_the_file(italy: Parsed) -> None:
@@ -362,7 +461,7 @@ def test_interchange_joins_every_carriageway(small: Parsed) -> None:
     ramps = [
         tags
         for _, tags in small.ways.values()
-        if tags["highway"] == "motorway_link" and tags["maxspeed"] == "60"
+        if tags.get("highway") == "motorway_link" and tags["maxspeed"] == "60"
     ]
     assert len(ramps) == 4  # A2 ends here: two carriageways in, two out
     assert {tags["destination"] for tags in ramps} == {"A1 Prima", "A2 Seconda"}
@@ -429,6 +528,56 @@ def test_a_broken_table_gives_one_line_that_names_file_and_remedy(
     assert message in done.stderr
     assert ";" in done.stderr
     assert not (tmp_path / "none.osm").exists()
+
+
+FERRY = """\
+name,minutes,motorway,exit,lat,lon,source
+Nave,90,A1,Est,45.0060,9.4900,example
+Nave,90,A2,Sud,44.8250,9.2600,example
+"""
+PARKING = "motorway,km,name,spaces,source\nA1,10.0,Area,80,example\n"
+
+
+def test_a_ferry_and_spaces_for_trucks_come_from_tables_of_their_own(tmp_path: Path) -> None:
+    tables = small_tables(tmp_path / "tables")
+    (tables / "ferries.csv").write_text(FERRY)
+    (tables / "truck_parkings.csv").write_text(PARKING)
+    output = tmp_path / "small.osm"
+    done = run("--tables", tables, "--output", output)
+    assert done.returncode == 0, done.stderr
+    small = parse(output)
+    (ferry,) = [tags for _, tags in small.ways.values() if tags.get("route") == "ferry"]
+    assert ferry["duration"] == "01:30"
+    assert nx.is_strongly_connected(small.graph())
+    areas = [tags for tags in small.node_tags.values() if tags.get("highway") == "services"]
+    assert [tags["capacity:hgv"] for tags in areas] == ["80"]
+
+
+@pytest.mark.parametrize(
+    ("table", "old", "new", "message"),
+    [
+        ("ferries", "A1,Est", "A1,Ovest 2", "ferries.csv row 2: A1 has no exit 'Ovest 2'; name"),
+        ("ferries", "A1,Est", "A9,Est", "ferries.csv row 2: A9 has no exit 'Est'; name"),
+        ("ferries", "Nave,90,A2", "Nave,80,A2", "ferries.csv row 2: ferry 'Nave' needs two rows"),
+        ("ferries", "Nave,90,A2", "Barca,90,A2", "ferries.csv row 2: ferry 'Nave' needs two rows"),
+        ("ferries", "Nave,90", "Nave,0", "ferries.csv row 2: minutes 0 is not between 1 and"),
+        ("ferries", "45.0060", "45.0600", "ferries.csv row 2: the quay is more than 2.5 km from"),
+        ("truck_parkings", "10.0", "11.0", "truck_parkings.csv row 2: A1 has no area 'Area' at"),
+        ("truck_parkings", "80", "many", "truck_parkings.csv row 2: spaces 'many' is not a number"),
+    ],
+)
+def test_a_broken_table_of_ferries_or_spaces_is_told(
+    tmp_path: Path, table: str, old: str, new: str, message: str
+) -> None:
+    tables = small_tables(tmp_path / "tables")
+    text = {"ferries": FERRY, "truck_parkings": PARKING}[table]
+    assert old in text
+    (tables / f"{table}.csv").write_text(text.replace(old, new, 1))
+    done = run("--tables", tables, "--output", tmp_path / "none.osm")
+    assert done.returncode == 2
+    assert len(done.stderr.splitlines()) == 1
+    assert message in done.stderr
+    assert ";" in done.stderr
 
 
 def test_a_missing_table_is_named(tmp_path: Path) -> None:

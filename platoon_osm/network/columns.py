@@ -25,7 +25,7 @@ __all__ = [
 
 ROAD_CLASSES = (
     "motorway", "motorway_link", "trunk", "trunk_link", "primary", "primary_link",
-    "secondary", "secondary_link", "tertiary", "tertiary_link", "other",
+    "secondary", "secondary_link", "tertiary", "tertiary_link", "other", "ferry",
 )  # fmt: skip
 POINT_KINDS = ("services", "rest_area", "city", "town", "village")
 

@@ -39,7 +39,7 @@ MOST_CANDIDATES = 12
 MOST_WAYS = 24
 """Ways from a place beside the road to the junctions near, at most."""
 
-CLOSED_CLASSES = ("motorway", "motorway_link", "trunk", "trunk_link")
+CLOSED_CLASSES = ("motorway", "motorway_link", "trunk", "trunk_link", "ferry")
 """Roads that one gets onto at junctions alone; from others there is a gate to every yard."""
 
 CLOSED = tuple(ROAD_CLASSES.index(kind) for kind in CLOSED_CLASSES)

@@ -104,7 +104,7 @@ def infer_links(net: RoadNetwork, reach_m: float = 200.0) -> RoadNetwork:
     passing = _passes(net, segments, reach_m)
     ends = _ends(net, segments, reach_m)
     turning = _turning_places(net, segments, reach_m)
-    links = _joined(crossing, passing, ends, turning)
+    links = _on_land(net, _joined(crossing, passing, ends, turning))
     cut, nodes = split_edges(
         net,
         np.concatenate([links.from_edge, links.to_edge]),
@@ -132,6 +132,13 @@ def infer_links(net: RoadNetwork, reach_m: float = 200.0) -> RoadNetwork:
             *_ramps_remark(net),
         )
     )
+
+
+def _on_land(net: RoadNetwork, links: _Links) -> _Links:
+    """Leave out connectors to ferries, which pass below bridges and along the shore."""
+    ferry = net.road_class == ROAD_CLASSES.index("ferry")
+    land = ~(ferry[links.from_edge] | ferry[links.to_edge])
+    return _Links(links.from_edge[land], links.from_m[land], links.to_edge[land], links.to_m[land])
 
 
 def _ramps_remark(net: RoadNetwork) -> tuple[str, ...]:

@@ -281,11 +281,10 @@ def _speed_mps(edge: EdgeRow) -> float | None:
 def _code(names: tuple[str, ...], value: Any) -> int:
     """Return the first of the names among the values, as classes go from the most important.
 
-    Anything unknown is the last, "other".
+    Anything unknown is "other", or the last where there is none.
     """
-    return min(
-        (names.index(part) for part in parts(value) if part in names), default=len(names) - 1
-    )
+    unknown = names.index("other") if "other" in names else len(names) - 1
+    return min((names.index(part) for part in parts(value) if part in names), default=unknown)
 
 
 def way_id_of(osmid: Any) -> int:

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import MapDataError, NetworkError
+from ...network.geodesy import distance_m
 from ...network.load_report import LoadReport
 from ...network.preparing.simplify import merge_chains
 from ...network.preparing.turns import split_turns
@@ -30,13 +31,14 @@ from ..truck import (
     read_way,
 )
 from .barriers import barrier_layers
+from .ferries import crossing_mps, duration_s, is_ferry, read_ferry
 from .raw_osm import RawMap, TagReader, read_raw
 from .turn_relations import Segments, forbidden_turns
 
 __all__ = ["MOTORWAY_CLASSES", "read_osm"]
 
 MOTORWAY_CLASSES = ("motorway", "motorway_link")
-NAME_TAGS = frozenset({"ref", "name", "destination"})
+NAME_TAGS = frozenset({"ref", "name", "destination", "route", "duration"})
 PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population", "barrier"})
 SIGNED_BARRIERS = ("", "toll_booth", "border_control")
 """Barriers whose name stands on a sign at the road; "" for nodes without one."""
@@ -73,8 +75,10 @@ def read_osm(
     file = Path(path)
     raw = read_raw(file, classes)
     ways = _interpret(raw, set(classes), rules or TruckRules())
-    if not ways.kept.any():
-        found = "its ways are closed to all of them" if ways.road.any() else "it has no such way"
+    ashore = ways.road_class != _class_code("ferry")
+    if not (ways.kept & ashore).any():
+        any_road = (ways.road & ashore).any()
+        found = "its ways are closed to all of them" if any_road else "it has no such way"
         raise MapDataError(
             f"{file}: no road of class {', '.join(classes)} for goods vehicles ({found}); "
             "load other classes or another area"
@@ -139,16 +143,17 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
         name = tags.pop("name", destination)
         highway = tags.get("highway", "")
-        if highway not in classes:
+        ferry = is_ferry(tags)
+        if highway not in classes and not ferry:
             continue
         own = own_rules[country]
         key = tuple(tags.items()), own.country
         reading = known.get(key)
         if reading is None:
             reading = known[key] = len(readings)
-            readings.append(read_way(tags, own))
+            readings.append(read_ferry(tags) if ferry else read_way(tags, own))
         rows[number] = (
-            reading, _class_code(highway),
+            reading, _class_code("ferry" if ferry else highway),
             names.setdefault(ref, len(names)), names.setdefault(name, len(names)),
             names.setdefault(country, len(names)),
         )  # fmt: skip
@@ -165,14 +170,21 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         return looked_up([names.setdefault(text, len(names)) for text in texts], np.int64)
 
     kept = looked_up([reading.allowed for reading in readings], bool)
+    speed_kmh = looked_up([reading.speed_kmh for reading in readings], np.float64)
+    backward_kmh = looked_up([reading.backward_kmh for reading in readings], np.float64)
+    posted_mps = mps([reading.posted_kmh for reading in readings])
+    backward_posted_mps = mps([reading.backward_posted_kmh for reading in readings])
+    ferries = road_class == _class_code("ferry")
+    for way in np.flatnonzero(ferries & kept).tolist():
+        speed_kmh[way] = backward_kmh[way] = _ferry_kmh(raw, way, read_tags, speed_kmh[way])
     return _Ways(
         road=reading_of > 0,
         kept=kept,
         direction=looked_up([reading.direction for reading in readings], np.int8),
-        speed_mps=mps([reading.speed_kmh for reading in readings]),
-        backward_mps=mps([reading.backward_kmh for reading in readings]),
-        posted_mps=mps([reading.posted_kmh for reading in readings]),
-        backward_posted_mps=mps([reading.backward_posted_kmh for reading in readings]),
+        speed_mps=speed_kmh / 3.6,
+        backward_mps=backward_kmh / 3.6,
+        posted_mps=np.where(ferries, speed_kmh / 3.6, posted_mps),
+        backward_posted_mps=np.where(ferries, backward_kmh / 3.6, backward_posted_mps),
         restriction=coded([reading.restriction for reading in readings]),
         backward_restriction=coded([reading.backward_restriction for reading in readings]),
         road_class=road_class.astype(np.uint8),
@@ -194,6 +206,15 @@ def _countries(raw: RawMap, rules: TruckRules) -> list[str]:
         np.where(own, np.append(values, np.nan)[at], np.nan) for values in (raw.lon, raw.lat)
     )
     return countries_of(rules, lon, lat)
+
+
+def _ferry_kmh(raw: RawMap, way: int, read_tags: TagReader, default: float) -> float:
+    """Give the speed of a ferry by its length and duration, the default where one is missing."""
+    part = slice(raw.first[way], raw.first[way + 1])
+    lon, lat = raw.lon[part], raw.lat[part]
+    length = float(np.nansum(distance_m(lon[:-1], lat[:-1], lon[1:], lat[1:])))
+    crossing = duration_s(read_tags(raw.way_tags[way]).get("duration", ""))
+    return default if np.isnan(crossing) else crossing_mps(length, crossing) * 3.6
 
 
 def _class_code(highway: str) -> int:
@@ -270,6 +291,15 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     node_name[position], node_ref[position] = codes[1], codes[2]
     keep = np.zeros(len(ids), bool)
     keep[position] = [row[3] for row in junctions]
+    # A quay stays, so that a crossing is an edge of its own.
+    afloat = ways.road_class[of] == _class_code("ferry")
+    keep |= np.isin(
+        np.arange(len(ids)),
+        np.intersect1d(
+            np.concatenate([tail[afloat], head[afloat]]),
+            np.concatenate([tail[~afloat], head[~afloat]]),
+        ),
+    )
     report = LoadReport(counts | dict(sorted(told.items())))
     try:
         net = RoadNetwork.from_edges(

@@ -117,7 +117,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     """
     if not path.is_file():
         raise MapDataError(f"{path}: no such file; give an OSM extract or a name from `maps`")
-    tags = [("highway", name) for name in classes]
+    tags = [*(("highway", name) for name in classes), ("route", "ferry")]
     with tempfile.TemporaryDirectory(prefix="platoon-osm-") as folder:
         opl = Path(folder) / "roads.opl"
         found = _filter_to_opl(path, tags, opl)

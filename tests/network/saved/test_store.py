@@ -172,7 +172,7 @@ def set_at(position, value):
         ("shape_first", 0, -2), ("shape_first", 3, 2**40), ("shape_first", 1, 1),
         ("shape_first", 2, -(2**63)),
         ("node_name", 0, 10), ("node_ref", 1, -1), ("ref", 4, 2**30), ("name", 0, -(2**31)),
-        ("points.name", 0, 99), ("points.kind", 1, 5), ("road_class", 0, 11),
+        ("points.name", 0, 99), ("points.kind", 1, 5), ("road_class", 0, 12),
         ("texts.offsets", 1, 2**50), ("texts.offsets", 0, -1), ("toll", 0, None),
         ("inferred", 2, None),
     ],
