@@ -20,9 +20,12 @@ from platoon_osm.planning.problem import Problem
 from platoon_osm.planning.question import Question
 from platoon_osm.planning.reasons import reasons_alone
 from platoon_osm.planning.road_closures import closed_roads
+from platoon_osm.planning.tight_limits import tight_limits
+from platoon_osm.planning.timing.bans import with_hours
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.planning.writing import written_plan
 from platoon_osm.search.trees import Trees
+from platoon_osm.vehicles.profile import DEFAULT_VEHICLE
 
 
 def plan_from_parts(problem):
@@ -75,8 +78,14 @@ def plan_from_parts(problem):
     plan = replace(plan, masters=best.masters, remarks=(*best.remarks, *plan.remarks))
     plan = with_place_remarks(plan, net, locations)
 
-    # 9. When everyone drives, if a trip names a time.
-    return with_times(plan, problem.trips, problem.patience_min * 60), engine, trees
+    # 9. When everyone drives, if a trip names a time, and what hours and bans make of that; of a plan
+    #    without times, what they leave open. Then limits that are passed with little room.
+    vehicles = [problem.profile_of(trip) or DEFAULT_VEHICLE for trip in problem.trips]
+    patience_s = problem.patience_min * 60
+    plan = with_times(plan, problem.trips, patience_s)
+    plan = with_hours(plan, net, problem.trips, vehicles, patience_s)
+    plan = replace(plan, remarks=(*plan.remarks, *tight_limits(plan, net, vehicles)))
+    return plan, engine, trees
 
 
 def main(page=None):
