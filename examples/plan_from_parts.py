@@ -78,8 +78,8 @@ def plan_from_parts(problem):
     plan = replace(plan, masters=best.masters, remarks=(*best.remarks, *plan.remarks))
     plan = with_place_remarks(plan, net, locations)
 
-    # 9. When everyone drives, if a trip names a time, and what hours and bans make of that; of a plan
-    #    without times, what they leave open. Then limits that are passed with little room.
+    # 9. When everyone drives, if a trip names a time, and what hours and bans make of that; of a
+    #    plan without times, what they leave open. Then limits that are passed with little room.
     vehicles = [problem.profile_of(trip) or DEFAULT_VEHICLE for trip in problem.trips]
     patience_s = problem.patience_min * 60
     plan = with_times(plan, problem.trips, patience_s)

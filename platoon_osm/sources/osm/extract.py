@@ -151,7 +151,7 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         reading = known.get(key)
         if reading is None:
             reading = known[key] = len(readings)
-            readings.append(read_ferry(tags) if ferry else read_way(tags, own))
+            readings.append(read_ferry(tags, own) if ferry else read_way(tags, own))
         rows[number] = (
             reading, _class_code("ferry" if ferry else highway),
             names.setdefault(ref, len(names)), names.setdefault(name, len(names)),
@@ -170,21 +170,22 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         return looked_up([names.setdefault(text, len(names)) for text in texts], np.int64)
 
     kept = looked_up([reading.allowed for reading in readings], bool)
-    speed_kmh = looked_up([reading.speed_kmh for reading in readings], np.float64)
-    backward_kmh = looked_up([reading.backward_kmh for reading in readings], np.float64)
-    posted_mps = mps([reading.posted_kmh for reading in readings])
-    backward_posted_mps = mps([reading.backward_posted_kmh for reading in readings])
-    ferries = road_class == _class_code("ferry")
-    for way in np.flatnonzero(ferries & kept).tolist():
-        speed_kmh[way] = backward_kmh[way] = _ferry_kmh(raw, way, read_tags, speed_kmh[way])
+    speed = mps([reading.speed_kmh for reading in readings])
+    backward = mps([reading.backward_kmh for reading in readings])
+    posted = mps([reading.posted_kmh for reading in readings])
+    backward_posted = mps([reading.backward_posted_kmh for reading in readings])
+    for way in np.flatnonzero(kept & (road_class == _class_code("ferry"))).tolist():
+        crossing = _crossing_mps(raw, way, read_tags, speed[way])
+        for column in (speed, backward, posted, backward_posted):
+            column[way] = crossing
     return _Ways(
         road=reading_of > 0,
         kept=kept,
         direction=looked_up([reading.direction for reading in readings], np.int8),
-        speed_mps=speed_kmh / 3.6,
-        backward_mps=backward_kmh / 3.6,
-        posted_mps=np.where(ferries, speed_kmh / 3.6, posted_mps),
-        backward_posted_mps=np.where(ferries, backward_kmh / 3.6, backward_posted_mps),
+        speed_mps=speed,
+        backward_mps=backward,
+        posted_mps=posted,
+        backward_posted_mps=backward_posted,
         restriction=coded([reading.restriction for reading in readings]),
         backward_restriction=coded([reading.backward_restriction for reading in readings]),
         road_class=road_class.astype(np.uint8),
@@ -208,13 +209,13 @@ def _countries(raw: RawMap, rules: TruckRules) -> list[str]:
     return countries_of(rules, lon, lat)
 
 
-def _ferry_kmh(raw: RawMap, way: int, read_tags: TagReader, default: float) -> float:
+def _crossing_mps(raw: RawMap, way: int, read_tags: TagReader, default: float) -> float:
     """Give the speed of a ferry by its length and duration, the default where one is missing."""
     part = slice(raw.first[way], raw.first[way + 1])
     lon, lat = raw.lon[part], raw.lat[part]
     length = float(np.nansum(distance_m(lon[:-1], lat[:-1], lon[1:], lat[1:])))
     crossing = duration_s(read_tags(raw.way_tags[way]).get("duration", ""))
-    return default if np.isnan(crossing) else crossing_mps(length, crossing) * 3.6
+    return default if np.isnan(crossing) else crossing_mps(length, crossing)
 
 
 def _class_code(highway: str) -> int:
@@ -293,13 +294,7 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     keep[position] = [row[3] for row in junctions]
     # A quay stays, so that a crossing is an edge of its own.
     afloat = ways.road_class[of] == _class_code("ferry")
-    keep |= np.isin(
-        np.arange(len(ids)),
-        np.intersect1d(
-            np.concatenate([tail[afloat], head[afloat]]),
-            np.concatenate([tail[~afloat], head[~afloat]]),
-        ),
-    )
+    keep[np.intersect1d(node[np.tile(afloat, 2)], node[np.tile(~afloat, 2)])] = True
     report = LoadReport(counts | dict(sorted(told.items())))
     try:
         net = RoadNetwork.from_edges(

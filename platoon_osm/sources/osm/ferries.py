@@ -11,14 +11,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from math import isnan, nan
 
-from ..truck import BOTH, FORWARD, WayReading
+from ..truck import TruckRules, WayReading, read_way
 
 __all__ = ["CARRIED", "FERRY_KMH", "crossing_mps", "duration_s", "is_ferry", "read_ferry"]
 
 CARRIED = frozenset({"yes", "designated", "permissive", "official"})
-"""Values that say so, of `hgv`, else of `motor_vehicle`."""
+"""Values of one of `CARRYING` that say so. Whom it refuses is kept like a road's restriction."""
+
+CARRYING = ("hgv", "goods", "motor_vehicle")
 
 FERRY_KMH = 15.0
 """Where there is no duration: a ferry with its landing, over a strait of a few kilometres."""
@@ -46,35 +49,35 @@ def is_ferry(tags: Mapping[str, str]) -> bool:
     return tags.get("route") == "ferry" and "highway" not in tags
 
 
-def read_ferry(tags: Mapping[str, str]) -> WayReading:
+def read_ferry(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
     """Read the tags of a ferry.
 
     Parameters
     ----------
     tags : mapping of str to str
         Tags of a ferry.
+    rules : TruckRules
+        The truck and the law.
 
     Returns
     -------
     WayReading
-        Its direction, and whether it carries trucks; its speed is that without a duration.
+        Its direction and whom it carries; its speeds are those without a duration.
     """
-    access = next((tags[key] for key in ("hgv", "motor_vehicle") if key in tags), "")
-    allowed = access.strip().lower() in CARRIED
-    one_way = tags.get("oneway", "").strip().lower() in {"yes", "true", "1"}
-    remarks = ["ferries taken"]
+    reading = read_way(tags, rules)
+    carries = any(tags.get(key, "").strip().lower() in CARRIED for key in CARRYING)
+    remarks = ["ferries taken", *(told for told in reading.remarks if not told.startswith("speed"))]
     if isnan(duration_s(tags.get("duration", ""))):
         remarks.append("speed of a ferry defaulted (no duration that can be read)")
-    return WayReading(
-        FORWARD if one_way else BOTH,
-        allowed,
-        FERRY_KMH,
-        False,
-        tuple(remarks),
-        FERRY_KMH,
-        FERRY_KMH,
-        FERRY_KMH,
-        closed_by="" if allowed else "ferry",
+    return replace(
+        reading,
+        allowed=reading.allowed and carries,
+        remarks=tuple(remarks),
+        speed_kmh=FERRY_KMH,
+        backward_kmh=FERRY_KMH,
+        posted_kmh=FERRY_KMH,
+        backward_posted_kmh=FERRY_KMH,
+        closed_by=reading.closed_by or "route=ferry without hgv or motor_vehicle",
     )
 
 

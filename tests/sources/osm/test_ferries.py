@@ -7,9 +7,11 @@ import pytest
 from osm_files import write
 
 from platoon_osm.errors import MapDataError
+from platoon_osm.network.restrictions import decode
 from platoon_osm.network.road_network import ROAD_CLASSES
 from platoon_osm.sources.load import load_network
 from platoon_osm.sources.osm.ferries import crossing_mps, duration_s, read_ferry
+from platoon_osm.sources.truck import TruckRules
 
 FERRY = ROAD_CLASSES.index("ferry")
 ROAD = {"highway": "primary", "maxspeed": "60"}
@@ -67,14 +69,22 @@ def test_without_a_duration_the_speed_is_a_default_and_counted(tmp_path):
     ("tags", "taken"),
     [
         ({"hgv": "yes"}, True), ({"motor_vehicle": "yes"}, True), ({"hgv": "designated"}, True),
-        ({}, False), ({"foot": "yes"}, False), ({"hgv": "no", "motor_vehicle": "yes"}, False),
+        ({}, False), ({"foot": "yes"}, False), ({"hgv": "no", "motor_vehicle": "yes"}, True),
         ({"motor_vehicle": "no"}, False), ({"hgv": "no"}, False), ({"motorcar": "yes"}, False),
     ],
 )  # fmt: skip
 def test_only_ferries_that_carry_trucks_are_taken(tmp_path, tags, taken):
     net = loaded(tmp_path, route="ferry", duration="00:20", **tags)
     assert (net.road_class == FERRY).any() == taken
-    assert net.report()["ways dropped: closed to all by ferry"] == (0 if taken else 1)
+    dropped = [name for name in net.load_report.counts if "dropped: closed to all by" in name]
+    assert len(dropped) == (0 if taken else 1)
+
+
+def test_whom_a_ferry_does_not_carry_is_kept_like_a_road_s_restriction(tmp_path):
+    net = loaded(tmp_path, route="ferry", motor_vehicle="yes", hgv="no", maxheight="3.2")
+    (texts,) = {net.texts[code] for code in net.restriction[net.road_class == FERRY]}
+    (layer,) = decode(texts)
+    assert (layer["hgv"], layer["maxheight"]) == ("no", "3.2")
 
 
 def test_one_way_ferries_and_roads_that_bear_a_route(tmp_path):
@@ -90,7 +100,7 @@ def test_one_way_ferries_and_roads_that_bear_a_route(tmp_path):
 def test_a_slip_in_a_duration_makes_no_ferry_fly():
     assert crossing_mps(100e3, 60) * 3.6 == pytest.approx(80)
     assert crossing_mps(100, 86_400) * 3.6 == pytest.approx(1)
-    assert read_ferry({"route": "ferry", "hgv": "yes"}).toll is False
+    assert read_ferry({"route": "ferry", "hgv": "yes"}, TruckRules()).toll is False
 
 
 def test_no_trip_starts_on_the_water(tmp_path):
@@ -115,6 +125,6 @@ def test_no_connector_is_inferred_between_a_bridge_and_the_ferry_below(tmp_path)
 def test_a_ferry_alone_is_no_road(tmp_path):
     path = write(tmp_path, NODES, {1: ([1, 2], CARRIES)})
     with pytest.raises(
-        MapDataError, match=r"no road of class primary for goods vehicles \(it has no such"
+        MapDataError, match=r"no road of class primary for goods vehicles .it has no such"
     ):
         load_network(path, ("primary",))
