@@ -103,7 +103,9 @@ def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
     if len(question.ends) < 2:
         return Proof.of(best.cost, best.cost, conditions)
     if best.case == "D" and best.bound is not None:
-        return Proof.of(best.cost, best.bound, (*conditions, ALIKE, ONE_STRETCH), any_plan)
+        # Vehicles that are not alike might part and meet again; that is not looked at.
+        alike = (ALIKE,) if question.fleet.is_alike else ()
+        return Proof.of(best.cost, best.bound, (*conditions, *alike, ONE_STRETCH), any_plan)
     late = tried.blind < best.cost * (1 - NO_CHEAPER) and question.windows is not None
     if best.bound is None or late:
         return _bounded(best, any_plan, late, conditions)
