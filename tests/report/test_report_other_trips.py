@@ -77,6 +77,17 @@ def test_unlike_trips_are_grouped() -> None:
     assert comparison_document([together, late], net)["remarks"] == []
 
 
+def test_a_town_that_is_reached_by_another_junction_is_the_same_place() -> None:
+    plan, net = plan_kind("three vehicles")
+    first, *rest = plan.trips
+    elsewhere = replace(first.destination, lon=first.destination.lon + 0.05)
+    moved = replace(plan, trips=(replace(first, destination=elsewhere), *rest))
+    (one,) = comparison_document([plan, moved], net)["sets"]
+    assert one["plans"] == [0, 1]
+    renamed = replace(plan, trips=(replace(first, destination=replace(elsewhere, name="X")), *rest))
+    assert len(comparison_document([plan, renamed], net)["sets"]) == 2
+
+
 @pytest.mark.parametrize(
     "other", [("B", "Torino", "Trieste"), ("A", "Genova", "Trieste"), ("A", "Torino", "Belluno")]
 )

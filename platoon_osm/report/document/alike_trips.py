@@ -82,16 +82,30 @@ def alike(plans: Sequence[Plan]) -> list[tuple[int, ...]]:
     list of tuple of int
         Positions of plans that are alike, by the first of them.
     """
-    found: dict[object, list[int]] = {}
+    found: list[list[int]] = []
     for place, plan in enumerate(plans):
-        found.setdefault(_trips(plan), []).append(place)
-    return [tuple(places) for places in found.values()]
+        known = next((one for one in found if _same_trips(plans[one[0]], plan)), None)
+        if known is None:
+            found.append([place])
+        else:
+            known.append(place)
+    return [tuple(places) for places in found]
 
 
-def _trips(plan: Plan) -> frozenset[object]:
-    return frozenset(
-        (one.vehicle, _place(one.origin), _place(one.destination)) for one in plan.trips
+def _same_trips(one: Plan, other: Plan) -> bool:
+    """Tell whether plans are of the same vehicles, between the same places."""
+    theirs = {trip.vehicle: trip for trip in other.trips}
+    return len(one.trips) == len(other.trips) and all(
+        (twin := theirs.get(trip.vehicle)) is not None
+        and _same_place(trip.origin, twin.origin)
+        and _same_place(trip.destination, twin.destination)
+        for trip in one.trips
     )
+
+
+def _same_place(one: Stop, other: Stop) -> bool:
+    # A town has several junctions, and which of them is taken depends on the roads that are open.
+    return one.name == other.name or _place(one) == _place(other)
 
 
 def _place(stop: Stop) -> tuple[float, float]:
