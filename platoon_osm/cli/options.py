@@ -94,7 +94,11 @@ classes_option = click.option(
     help="Highway values to load, with commas.",
 )
 _country = click.option("--country", help="Whose truck speed limit applies: IT, de, US-CA, ...")
-_limiter = click.option(*LIMITER, default=90.0, help="Speed limiter of the trucks [km/h].")
+_limiter = click.option(
+    *LIMITER,
+    type=float,
+    help="Speed limiter of the trucks [km/h]; without it, that of the country: 90 in Europe.",
+)
 _infer_links = click.option(
     "--infer-links",
     is_flag=True,

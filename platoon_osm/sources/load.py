@@ -14,7 +14,7 @@ from ..errors import MapDataError, ScenarioError
 from ..network.load_report import Source
 from ..network.road_network import ROAD_CLASSES, RoadNetwork
 from .catalog import BUNDLED_MAPS, bundled_path
-from .country.roads import law_told
+from .country.roads import law_told, limiter_told
 from .osm.extract import MOTORWAY_CLASSES
 from .readers import reader_of
 from .spellings import CLASSES, COUNTRY, INFER_LINKS
@@ -30,7 +30,7 @@ def load_network(
     classes: Sequence[str] = MOTORWAY_CLASSES,
     *,
     country: str | None = None,
-    limiter_kmh: float = 90.0,
+    limiter_kmh: float | None = None,
     infer_links: bool = False,
 ) -> RoadNetwork:
     """Load a road network for trucks.
@@ -46,9 +46,11 @@ def load_network(
     classes : sequence of str
         Values of `highway` to load; a saved network is opened as it is.
     country : str, optional
-        ISO code whose speed limit for trucks applies ("IT", "DE", "US-CA").
-    limiter_kmh : float
-        What the trucks' speed limiter allows [km/h].
+        ISO code whose speed limits for trucks apply ("IT", "DE", "US-CA"), on all roads; without
+        it, each road has those of its own country, found by the outlines of countries.
+    limiter_kmh : float, optional
+        What the trucks' speed limiter allows [km/h]; without it, what is customary in the country
+        (90 in Europe and where nothing is known, none in the United States).
     infer_links : bool
         Whether to add likely connectors where carriageways meet without a common node, as in
         extracts cut to `highway=motorway`; they are marked `inferred`. A bundled map that lacks
@@ -87,7 +89,7 @@ def load_network(
 
 
 def _read(
-    source: Any, classes: tuple[str, ...], country: str | None, limiter_kmh: float
+    source: Any, classes: tuple[str, ...], country: str | None, limiter_kmh: float | None
 ) -> RoadNetwork:
     if isinstance(source, RoadNetwork):
         return source
@@ -142,7 +144,7 @@ def _with_speed_remark(net: RoadNetwork, rules: TruckRules) -> RoadNetwork:
     """Say which limit capped the speeds, so that none is guessed in silence."""
     found = [str(net.texts[code]) for code in np.unique(net.country).tolist()]
     law = law_told(rules, found, COUNTRY)
-    remark = f"speeds are capped by a limiter of {rules.limiter_kmh:g} km/h and {law}"
+    remark = f"speeds are capped by {limiter_told(rules, found)} and {law}"
     return net.with_report(net.load_report.extended({}, remark))
 
 

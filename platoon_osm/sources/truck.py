@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
-from numbers import Real
 
-from ..errors import ScenarioError
 from ..network.restrictions import encode
 from ..vehicles.conditions import apply, has_conditions
 from ..vehicles.profile import DEFAULT_VEHICLE, VEHICLES
+from .country.rules import TruckRules
+from .speeds.of_road import car_kmh, is_speed_tag, truck_kmh
 from .way_sides import (
     CHANGING,
     Layers,
@@ -23,106 +22,13 @@ from .way_sides import (
     unread,
 )
 
-__all__ = [
-    "COUNTRY_LIMITS_KMH", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_speed_kmh",
-    "read_way",
-]  # fmt: skip
-
-COUNTRY_LIMITS_KMH: Mapping[str, float] = {
-    **dict.fromkeys(("AT", "CZ", "DE", "DK", "FI", "HU", "IT"), 80.0),
-    **dict.fromkeys(("BE", "EE", "FR", "HR", "IE", "SI", "SK"), 90.0),
-    "NL": 80.0,
-    "US-CA": 55 * 1.609344,
-}
-"""Motorway limits for heavy goods vehicles. Europe: European Commission, "Going abroad", and the
-list in the project's sources; NL: RVV 1990 art. 22; California: Vehicle Code section 22406."""
-
-CLASS_SPEEDS_KMH: Mapping[str, float] = {
-    "motorway": 120.0, "trunk": 90.0, "primary": 70.0, "secondary": 60.0, "tertiary": 50.0,
-}  # fmt: skip
-LINK_SPEED_KMH = 50.0
-OTHER_SPEED_KMH = 40.0
-
-ZONE_SPEEDS_KMH: Mapping[str, float] = {
-    "motorway": 130.0, "trunk": 110.0, "rural": 90.0, "urban": 50.0,
-    "living_street": 20.0, "walk": 7.0,
-}  # fmt: skip
-"""What "IT:motorway" and its like mean before the cap for trucks, which decides in practice."""
+__all__ = ["Side", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_way"]
 
 LIGHT = VEHICLES["van-3.5t"]
 """Whose speed is that of light vehicles where it depends on mass."""
 
-MPH_IN_KMH = 1.609344
-KNOT_IN_KMH = 1.852
-FASTEST_KMH, SLOWEST_KMH = 150.0, 3.0
-"""Speeds outside are slips of the pen: a "70|100" read as 70100 must not make a road fast."""
-
 NO = frozenset({"no", "false", "0"})
 FORWARD, BACKWARD, BOTH = 1, -1, 0
-
-
-@dataclass(frozen=True, slots=True)
-class TruckRules:
-    """The vehicle and the law that cap a speed.
-
-    Attributes
-    ----------
-    country : str or None
-        ISO code whose motorway limit for trucks applies, such as "IT", "DE" or "US-CA", in
-        any case; None if not known, and then only the limiter caps.
-    limiter_kmh : float
-        What the vehicle's speed limiter allows (90 in the EU, Directive 92/6/EEC).
-    """
-
-    country: str | None = None
-    limiter_kmh: float = 90.0
-
-    def __post_init__(self) -> None:
-        country, limiter = self.country, self.limiter_kmh
-        code = country.strip().upper() if isinstance(country, str) else ""
-        known = code in COUNTRY_LIMITS_KMH
-        if country is not None and not known:
-            raise ScenarioError(
-                f"country {_shown(country)} has no truck limit here; use "
-                f"{', '.join(sorted(COUNTRY_LIMITS_KMH))}"
-            )
-        if known:
-            object.__setattr__(self, "country", code)
-        # Numpy's numbers are numbers too; True is none.
-        is_number = isinstance(limiter, Real) and not isinstance(limiter, bool)
-        if not (is_number and SLOWEST_KMH <= limiter <= FASTEST_KMH):
-            raise ScenarioError(
-                f"limiter_kmh {_shown(limiter)}: a speed limiter lies between "
-                f"{SLOWEST_KMH:g} and {FASTEST_KMH:g} km/h"
-            )
-        object.__setattr__(self, "limiter_kmh", float(limiter))
-
-    def within(self, country: str) -> TruckRules:
-        """Return the rules on a road of a country.
-
-        Parameters
-        ----------
-        country : str
-            Where it is, "IT" or "US-CA"; empty if that is not known.
-
-        Returns
-        -------
-        TruckRules
-            The same if they name a country themselves, or if nothing is known of that one.
-        """
-        if self.country or country not in COUNTRY_LIMITS_KMH:
-            return self
-        return TruckRules(country, self.limiter_kmh)
-
-    @property
-    def cap_kmh(self) -> float:
-        """The lower of the country's limit and the limiter."""
-        limit = COUNTRY_LIMITS_KMH[self.country] if self.country else self.limiter_kmh
-        return min(limit, self.limiter_kmh)
-
-
-def _shown(value: object) -> str:
-    return " ".join(repr(value).split())[:80]
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,7 +155,7 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
     noted: list[list[str]] = [[], []]
     ways = [
         _speeds(tags, side, rules, own)
-        for side, own in zip((FORWARD, BACKWARD), noted, strict=True)
+        for side, own in zip(("forward", "backward"), noted, strict=True)
     ]
     first = int(direction == BACKWARD)
     last = first if direction != BOTH else 1
@@ -285,17 +191,17 @@ def _side(
 
 
 def _speeds(
-    tags: Mapping[str, str], side: int, rules: TruckRules, remarks: list[str]
+    tags: Mapping[str, str], side: str, rules: TruckRules, remarks: list[str]
 ) -> tuple[float, float]:
     """Return what a truck drives in a direction, and what is posted for light vehicles."""
     own = {key: value for key, value in tags.items() if not is_restriction(key)}
     if not has_conditions(own):
-        return _speed_kmh(own, side, rules, remarks), _posted_kmh(own, side)
+        return truck_kmh(own, side, rules, remarks), car_kmh(own, side, rules)
     truck, undecided = apply(own, DEFAULT_VEHICLE)
     if undecided:
         remarks.append("speed limits at some hours or in some weather, not judged")
     van, _ = apply(own, LIGHT)
-    return _speed_kmh(truck, side, rules, remarks), _posted_kmh(van, side)
+    return truck_kmh(truck, side, rules, remarks), car_kmh(van, side, rules)
 
 
 DRIVING_TAGS = frozenset({"highway", "oneway", "junction", "toll", "toll:hgv", "toll:N3"})
@@ -316,7 +222,8 @@ def is_driving_tag(key: str) -> bool:
     """
     return (
         key in DRIVING_TAGS
-        or key.startswith(("maxspeed", "oneway"))
+        or key.startswith("oneway")
+        or is_speed_tag(key)
         or key.endswith(":conditional")
         or is_restriction(key)
         or bool(unread([key]))
@@ -340,93 +247,3 @@ def _direction(tags: Mapping[str, str], remarks: list[str]) -> int:
             remarks.append("direction defaulted to one-way (motorway without oneway)")
         return FORWARD
     return BOTH
-
-
-def _posted_kmh(tags: Mapping[str, str], direction: int) -> float:
-    """Return what a light vehicle may drive: as posted, else as on roads of the class."""
-    side = "backward" if direction == BACKWARD else "forward"
-    for key in (f"maxspeed:{side}", "maxspeed"):
-        speed = read_speed_kmh(tags[key]) if key in tags else None
-        if speed is not None:
-            return speed
-    return _class_speed_kmh(tags.get("highway", ""))
-
-
-def _speed_kmh(
-    tags: Mapping[str, str], direction: int, rules: TruckRules, remarks: list[str]
-) -> float:
-    side = "backward" if direction == BACKWARD else "forward"
-    for key in (f"maxspeed:hgv:{side}", "maxspeed:hgv"):
-        if key in tags:
-            speed = read_speed_kmh(tags[key])
-            if speed is not None:
-                return _capped(speed, rules.limiter_kmh, remarks)
-            remarks.append("maxspeed not understood")
-    speed = None
-    for key in (f"maxspeed:{side}", "maxspeed"):
-        if key in tags:
-            speed = read_speed_kmh(tags[key])
-            if speed is not None:
-                break
-            remarks.append("maxspeed not understood")
-    if speed is None:
-        remarks.append("speed defaulted from road class")
-        speed = _class_speed_kmh(tags.get("highway", ""))
-    return _capped(speed, rules.cap_kmh, remarks)
-
-
-def _class_speed_kmh(highway: str) -> float:
-    if highway.endswith("_link"):
-        return LINK_SPEED_KMH
-    return CLASS_SPEEDS_KMH.get(highway, OTHER_SPEED_KMH)
-
-
-def _capped(speed: float, cap: float, remarks: list[str]) -> float:
-    if speed > cap:
-        remarks.append("speed capped for trucks")
-        return cap
-    return speed
-
-
-def read_speed_kmh(text: str) -> float | None:
-    """Read a `maxspeed` value; None if it cannot be understood.
-
-    Plain numbers are km/h; "65 mph" and "10 knots" are converted; of values per lane ("70|100")
-    or in a list ("80;100") the lowest counts, for a truck keeps to the slow lane;
-    "none" is no limit; "IT:motorway" and "walk" are the usual limits of their kind.
-
-    Parameters
-    ----------
-    text : str
-        Value of a tag.
-
-    Returns
-    -------
-    float or None
-        km/h, or None.
-    """
-    values = [_one_speed(part) for part in re.split(r"[|;]", text) if part.strip()]
-    known = [value for value in values if value is not None]
-    return min(known) if known else None
-
-
-def _one_speed(text: str) -> float | None:
-    text = text.strip().lower()
-    if text in {"none", "unlimited"}:
-        return FASTEST_KMH
-    if text in {"signals", "variable", "default", "implicit"}:
-        return None
-    found = re.fullmatch(r"(\d{1,4}(?:\.\d+)?)\s*(km/h|kmh|kph|mph|knots?|)", text)
-    if found:
-        unit = found.group(2)
-        factor = MPH_IN_KMH if unit == "mph" else KNOT_IN_KMH if unit.startswith("knot") else 1.0
-        return _plausible(float(found.group(1)) * factor)
-    zone = re.fullmatch(r"(?:[a-z]{2}(?:-[a-z]{2,3})?:)?([a-z_]+)(?::hgv)?", text)
-    if zone:
-        return ZONE_SPEEDS_KMH.get(zone.group(1))
-    number = re.fullmatch(r"[a-z]{2}:(?:zone:?)?(\d{1,3})", text)
-    return _plausible(float(number.group(1))) if number else None
-
-
-def _plausible(speed_kmh: float) -> float | None:
-    return speed_kmh if SLOWEST_KMH <= speed_kmh <= FASTEST_KMH else None

@@ -17,7 +17,7 @@ from platoon_osm.planning.scenario.network_table import NETWORK_KEYS
 from platoon_osm.planning.scenario.reading import TABLE_KEYS, TOP_KEYS, read_scenario
 from platoon_osm.planning.scenario.trip_rows import PLACE_KEYS
 from platoon_osm.plans.trip import LONGEST_MIN
-from platoon_osm.sources.truck import COUNTRY_LIMITS_KMH
+from platoon_osm.sources.country.law import laws
 
 SCHEMA = json.loads((ROOT / "docs" / "scenario.schema.json").read_text(encoding="utf-8"))
 FIT = jsonschema.Draft202012Validator(SCHEMA)
@@ -49,7 +49,7 @@ def test_it_knows_every_key():
     paper = set(defs["costs"]["then"]["properties"]) - {"preset"}
     assert paper == set(PRESETS["paper"].parameters)
     codes = defs["network"]["properties"]["country"]["enum"]
-    assert set(codes) == {*COUNTRY_LIMITS_KMH, *(code.lower() for code in COUNTRY_LIMITS_KMH)}
+    assert set(codes) == {*laws(), *(code.lower() for code in laws())}
     assert defs["trip"]["properties"]["flexibility_min"]["maximum"] == LONGEST_MIN
 
 

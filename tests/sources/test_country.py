@@ -5,9 +5,9 @@ import pytest
 from osm_files import row, write
 
 from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.sources.country.law import law_of
 from platoon_osm.sources.country.outline import country_of
 from platoon_osm.sources.load import load_network
-from platoon_osm.sources.truck import COUNTRY_LIMITS_KMH
 
 DISPUTED = {"Jerusalem", "West Jerusalem", "Laayoune", "Simferopol", "Sevastopol", "Macau"}
 """Natural Earth draws these otherwise than the towns' table, or not at all."""
@@ -60,16 +60,16 @@ def test_each_road_is_of_its_own_country(tmp_path):
     assert net.m == 2
     one = load_network(across(tmp_path), country="FR")
     assert {str(one.texts[code]) for code in one.country} == {"FR"}
-    assert one.speed_mps.max() * 3.6 == pytest.approx(COUNTRY_LIMITS_KMH["FR"])
+    assert one.speed_mps.max() * 3.6 == pytest.approx(law_of("FR").truck_kmh("motorway"))
     (remark,) = [r for r in net.report().remarks if r.startswith("speeds are capped")]
     assert "the truck limit of AT, IT where the map has no maxspeed:hgv" in remark
 
 
 def test_a_country_without_a_limit_in_the_table_is_named(tmp_path):
-    nodes = {k: (lon - 11.0 + 174.7, -36.9, tags) for k, (lon, _, tags) in row(3).items()}
+    nodes = {k: (lon - 11.0 - 102.0, 23.0, tags) for k, (lon, _, tags) in row(3).items()}
     net = load_network(write(tmp_path, nodes, {10: ([1, 2, 3], ROAD)}))
     (remark,) = [r for r in net.report().remarks if r.startswith("speeds are capped")]
-    assert "no limit for trucks in NZ, for none is in the table" in remark
+    assert "no limit for trucks in MX, for none is in the table" in remark
 
 
 def test_a_network_made_by_hand_is_in_no_country():

@@ -7,7 +7,8 @@ from typing import Any
 
 from ...network.road_network import ROAD_CLASSES
 from ..road_choice import RoadChoice
-from ..truck import NO, is_driving_tag, read_speed_kmh
+from ..speeds.texts import read_speed_kmh
+from ..truck import NO, is_driving_tag
 from ..way_sides import is_restriction
 from .graph_arrays import Attributes
 from .graph_values import flag, parts
@@ -84,6 +85,9 @@ def truck_tags(attributes: Attributes, highway: str, choice: RoadChoice) -> Mapp
     backwards = parts(attributes.get("reversed"))
     against = bool(backwards) and all(flag(part) for part in backwards)
     tags["oneway"] = "-1" if against else "yes"
+    if two_way:
+        # One carriageway for both directions, which the direction of its edges does not show.
+        tags["dual_carriageway"] = "no"
     if two_way and highway in {"motorway", "motorway_link"}:
         choice.counts["motorway edges in both directions, as OSMnx has them"] += 1
     return tags
