@@ -34,7 +34,7 @@ def test_a_table_tells_both_ends_of_a_trip_between_coordinates(tmp_path: Path) -
     text = (tmp_path / "plan.html").read_text("utf-8")
     assert "<bdi>near San Francisco</bdi>" in text
     assert "<bdi>near Los Angeles</bdi>" in text
-    assert document["title"] == "Platoon plan, near Oakland \u2013 near San Diego"
+    assert document["title"] == "Platoon plan, near San Francisco \u2013 near Los Angeles"
 
 
 def test_the_title_of_a_crowd_counts_the_others() -> None:
