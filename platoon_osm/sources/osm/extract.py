@@ -16,6 +16,7 @@ from ...errors import MapDataError, NetworkError
 from ...network.geodesy import distance_m
 from ...network.load_report import LoadReport
 from ...network.preparing.simplify import merge_chains
+from ...network.preparing.turning_round import no_turning_round
 from ...network.preparing.turns import split_turns
 from ...network.restrictions import Layer, decode, encode
 from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
@@ -270,7 +271,9 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
         tails, heads, source_way, np.concatenate([start[forward], start[backward]]),
         np.repeat([True, False], [int(forward.sum()), int(backward.sum())]),
     )  # fmt: skip
-    split = split_turns(tails, heads, len(ids), forbidden_turns(raw, drawn, ids, told))
+    turns = forbidden_turns(raw, drawn, ids, told)
+    turns += no_turning_round(tails, heads, len(ids), turns)
+    split = split_turns(tails, heads, len(ids), turns)
     own, spot = split.origin, split.node_origin
     base = both(ways.restriction, ways.backward_restriction)[own]
     at_nodes = {node: (layer,) for node, layer in barriers.items()}
