@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from ...driving.bans.judging import banned
 from ...driving.bans.rules import Road, bans_of
-from ...network.restrictions import decode
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...vehicles.access import Way
+from ...vehicles.closures import Closures
 from ...vehicles.conditions import has_conditions, next_change
 from ...vehicles.judgement import judge
 from ...vehicles.profile import Vehicle
@@ -172,15 +172,13 @@ def _closed(
 ) -> Iterator[tuple[datetime, datetime, str]]:
     country = country_of_edge(net, edge)
     yield from bans.between(country, vehicle, road, first, last)
-    if not net.restriction[edge]:
-        return
-    layers = decode(net.texts[int(net.restriction[edge])])
+    closures = net.attached(Closures)
+    layers = closures.layers(edge)
     if road is BESIDE or not any(has_conditions(layer) for layer in layers):
         return
-    place = midpoint(net, edge)
-    asked = place, country or None
-    if judge(layers, vehicle, None, *asked).way == Way.CLOSED:
+    if closures.on(edge, vehicle).way == Way.CLOSED:
         return
+    asked = midpoint(net, edge), country or None
     clock = local_clock(country, first)
     at, until = clock(first), clock(last)
     while at <= until:

@@ -18,10 +18,10 @@ import numpy as np
 
 from ...driving.bans.judging import banned
 from ...driving.bans.rules import Road, bans_of
-from ...network.restrictions import decode
 from ...network.road_network import RoadNetwork
 from ...plans.records import Stretch
 from ...vehicles.access import Way
+from ...vehicles.closures import Closures
 from ...vehicles.conditions import has_conditions, next_change
 from ...vehicles.judgement import judge
 from ...vehicles.profile import Vehicle
@@ -151,18 +151,18 @@ class RoadHours:
     def _closed(self, code: int, edge: int, country: str, vehicle: Vehicle) -> tuple[Interval, ...]:
         key = (code, country, vehicle)
         if key not in self._hours:
-            layers = decode(self._net.texts[code])
-            hours = any(has_conditions(layer) for layer in layers)
-            self._hours[key] = tuple(self._walk(layers, edge, country, vehicle)) if hours else ()
+            self._hours[key] = tuple(self._walk(edge, country, vehicle))
         return self._hours[key]
 
-    def _walk(
-        self, layers: tuple[dict[str, str], ...], edge: int, country: str, vehicle: Vehicle
-    ) -> Iterator[Interval]:
+    def _walk(self, edge: int, country: str, vehicle: Vehicle) -> Iterator[Interval]:
         """Yield when a road is closed that is open without regard to hours."""
-        place = midpoint(self._net, edge)
-        if judge(layers, vehicle, None, place, country or None).way == Way.CLOSED:
+        closures = self._net.attached(Closures)
+        layers = closures.layers(edge)
+        if not any(has_conditions(layer) for layer in layers):
+            return
+        if closures.on(edge, vehicle).way == Way.CLOSED:
             return  # closed whatever the hour, as far as the planner knows: nobody was sent there
+        place = midpoint(self._net, edge)
         clock = local_clock(country, self._start)
         at, last = (
             clock(self._start + timedelta(seconds=one)) for one in (self.begin_s, self.end_s)

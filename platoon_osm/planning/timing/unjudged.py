@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...driving.bans.rules import Road, bans_of
-from ...network.restrictions import decode
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.text_table import listed
 from ...vehicles.access import Way
-from ...vehicles.conditions import has_conditions
-from ...vehicles.judgement import judge
+from ...vehicles.closures import Closures
 from ...vehicles.profile import Vehicle
 from .road_hours import country_of_edge
 
@@ -35,6 +33,7 @@ def without_times(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> 
     str
         A remark on roads with hours, one on driving bans; nothing where there are none.
     """
+    closures = net.attached(Closures)
     roads: dict[str, float] = {}
     countries: dict[str, None] = {}
     known: dict[tuple[int, ...], bool] = {}
@@ -47,7 +46,8 @@ def without_times(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> 
                 known[key] = _has_bans(net, edge, vehicles[index], country)
             if known[key]:
                 countries[country] = None
-            if _depends(net, edge, vehicles[index], country):
+            judged = closures.on(edge, vehicles[index])
+            if judged.undecided and judged.way != Way.CLOSED:
                 name = net.edge_ref(edge) or net.edge_name(edge) or "a road without a name"
                 own = f"{plan.trips[index].vehicle}: {name}"
                 roads[own] = roads.get(own, 0.0) + float(net.length_m[edge])
@@ -56,17 +56,6 @@ def without_times(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> 
         yield f"passes roads with hours, not judged without times: {listed(told)}"
     if countries:
         yield f"driving bans are not judged without times: {listed(list(countries))}"
-
-
-def _depends(net: RoadNetwork, edge: int, vehicle: Vehicle, country: str) -> bool:
-    """Tell whether hours may close an edge to a vehicle."""
-    if not net.restriction[edge]:
-        return False
-    layers = decode(net.texts[int(net.restriction[edge])])
-    if not any(has_conditions(layer) for layer in layers):
-        return False
-    found = judge(layers, vehicle, None, None, country or None)
-    return found.undecided and found.way != Way.CLOSED
 
 
 def _has_bans(net: RoadNetwork, edge: int, vehicle: Vehicle, country: str) -> bool:
