@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import datetime
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,13 +31,10 @@ class Closed:
         Closed at any time, or by hours that are not known to be open.
     ends : ndarray of bool, (m,)
         Open to it only where a trip starts or ends.
-    undecided : ndarray of bool, (m,)
-        Hours, weather or the like may say otherwise.
     """
 
     closed: Marks
     ends: Marks
-    undecided: Marks
 
 
 class Closures:
@@ -72,11 +68,10 @@ class Closures:
         """
         judged = self._judged(vehicle)
         ways = np.array([one.way for one in judged], np.int64)[self._row]
-        undecided = np.array([one.undecided for one in judged], bool)[self._row]
-        return Closed(ways == Way.CLOSED, ways == Way.ENDS, undecided)
+        return Closed(ways == Way.CLOSED, ways == Way.ENDS)
 
-    def on(self, edge: int, vehicle: Vehicle, when: datetime | None = None) -> Judgement:
-        """Judge one edge.
+    def on(self, edge: int, vehicle: Vehicle) -> Judgement:
+        """Judge one edge, hours left open.
 
         Parameters
         ----------
@@ -84,18 +79,13 @@ class Closures:
             Edge id.
         vehicle : Vehicle
             Who drives.
-        when : datetime, optional
-            What clocks on the spot show.
 
         Returns
         -------
         Judgement
             Open where nothing is restricted.
         """
-        row = int(self._row[edge])
-        if when is None:
-            return self._judged(vehicle)[row]
-        return judge(self._layers[row], vehicle, when)
+        return self._judged(vehicle)[int(self._row[edge])]
 
     def layers(self, edge: int) -> tuple[dict[str, str], ...]:
         """Return what the map restricts on an edge.
