@@ -22,6 +22,7 @@ __all__ = ["NetworkArrays"]
 
 Kept = TypeVar("Kept")
 Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
 Ints = NDArray[np.int32]
 
 
@@ -64,6 +65,13 @@ class NetworkArrays:
         `network.restrictions`; empty where nothing is.
     country : ndarray of int32, (m,)
         Codes in `texts`: ISO 3166 code of the country or state, "IT" or "US-CA"; empty if unknown.
+    climb_m, descent_m : ndarray of float32, (m,)
+        How far the road rises and falls in the direction of travel [m], where that is known; see
+        `network.grades`.
+    graded_m : ndarray of float32, (m,)
+        On how much of its length that is known [m].
+    toll_free_m : ndarray of float32, (m,)
+        On how much of its length the map says that trucks pay no toll [m].
     way_id : ndarray of int64, (m,)
         OpenStreetMap way an edge (its longest part) came from; 0 if none.
     shape_first : ndarray of int64, (m + 1,)
@@ -98,6 +106,10 @@ class NetworkArrays:
     inferred: NDArray[np.bool_]
     restriction: Ints
     country: Ints
+    climb_m: Singles
+    descent_m: Singles
+    graded_m: Singles
+    toll_free_m: Singles
     way_id: NDArray[np.int64]
     shape_first: NDArray[np.int64]
     shape_lon: Floats

@@ -21,6 +21,7 @@ __all__ = [
     "Per",
     "columns_per",
     "lengthened",
+    "shared_columns",
 ]
 
 ROAD_CLASSES = (
@@ -33,6 +34,7 @@ Per = Literal["node", "edge", "shape point", "named point", "offset"]
 """What a column has one value for; offsets say where the rows of another column begin."""
 
 Codes = Literal["", "nodes", "texts"] | tuple[str, ...]
+InChain = Literal["longest", "same", "sum"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,9 +55,9 @@ class Column:
         Value where none is given; None where one must be given or is worked out.
     codes : str or tuple of str
         What the values are positions in: "nodes", "texts", or a tuple of names; empty for none.
-    in_chain : {"longest", "same"}
-        The value of a chain of edges that become one: that of the longest part, or the one they
-        all have, for nodes stay where it changes.
+    in_chain : {"longest", "same", "sum"}
+        The value of a chain of edges that become one: that of the longest part, the one they all
+        have, for nodes stay where it changes, or the sum, which the pieces of a cut edge share.
     """
 
     name: str
@@ -64,7 +66,7 @@ class Column:
     unit: str = ""
     default: bool | int | float | None = None
     codes: Codes = ""
-    in_chain: Literal["longest", "same"] = "longest"
+    in_chain: InChain = "longest"
 
     def filled(self, count: int) -> NDArray[Any]:
         """Return the default, repeated.
@@ -86,7 +88,7 @@ COLUMNS = (
     Column("first_out", "offset", "i4", "position in the edges"),
     Column("tail", "edge", "i4", "node", codes="nodes"),
     Column("head", "edge", "i4", "node", codes="nodes"),
-    Column("length_m", "edge", "f8", "m"),
+    Column("length_m", "edge", "f8", "m", in_chain="sum"),
     Column("speed_mps", "edge", "f8", "m/s", 80 / 3.6),
     Column("posted_mps", "edge", "f8", "m/s", 80 / 3.6),
     Column("lon", "node", "f8", "deg"),
@@ -101,6 +103,10 @@ COLUMNS = (
     Column("inferred", "edge", "b1", "", False, in_chain="same"),
     Column("restriction", "edge", "i4", "text", 0, "texts", in_chain="same"),
     Column("country", "edge", "i4", "text", 0, "texts", in_chain="same"),
+    Column("climb_m", "edge", "f4", "m", 0, in_chain="sum"),
+    Column("descent_m", "edge", "f4", "m", 0, in_chain="sum"),
+    Column("graded_m", "edge", "f4", "m", 0, in_chain="sum"),
+    Column("toll_free_m", "edge", "f4", "m", 0, in_chain="sum"),
     Column("way_id", "edge", "i8", "OpenStreetMap id", 0),
     Column("shape_first", "offset", "i8", "position in the shape points"),
     Column("shape_lon", "shape point", "f8", "deg"),
@@ -128,6 +134,21 @@ def columns_per(*kinds: Per) -> tuple[Column, ...]:
         In the order of the table.
     """
     return tuple(column for column in COLUMNS if column.per in kinds)
+
+
+def shared_columns() -> tuple[Column, ...]:
+    """Return the columns of edges, but for their lengths, that the pieces of a cut edge share.
+
+    Returns
+    -------
+    tuple of Column
+        In the order of the table.
+    """
+    return tuple(
+        column
+        for column in columns_per("edge")
+        if column.in_chain == "sum" and column.name != "length_m"
+    )
 
 
 def lengthened(net: Any, per: Per, count: int, **added: Any) -> dict[str, NDArray[Any]]:

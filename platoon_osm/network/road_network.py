@@ -373,6 +373,8 @@ class RoadNetwork(NetworkArrays):
             shape_first=first,
             shape_lon=self.shape_lon[points],
             shape_lat=self.shape_lat[points],
+            climb_m=self.descent_m,
+            descent_m=self.climb_m,
         )
         return turned, np.argsort(self.head, kind="stable")
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import NetworkError
-from .columns import columns_per
+from .columns import columns_per, shared_columns
 
 __all__ = ["check_values"]
 
@@ -50,6 +50,15 @@ def check_values(value_of: Callable[[str], NDArray[Any]], texts: int) -> None:
             raise NetworkError(
                 f"network: edge {e} (way {way_id[e]}) has {label} {values[e]}; "
                 f"a {label} must be finite and {'not below' if label == 'length' else 'above'} 0"
+            )
+    for column in shared_columns():
+        values = value_of(column.name)
+        # Two looks at the extremes, instead of one at every value: NaN is neither.
+        if len(values) and not (values.min() >= 0 and values.max() < np.inf):
+            e = int(np.argmax(~((values >= 0) & (values < np.inf))))
+            raise NetworkError(
+                f"network: edge {e} (way {way_id[e]}) has {column.name} {values[e]}; it must be "
+                "finite and not below 0"
             )
     shape_lon, shape_lat = value_of("shape_lon"), value_of("shape_lat")
     off_globe = ~((np.abs(shape_lon) <= 180) & (np.abs(shape_lat) <= 90))

@@ -22,12 +22,17 @@ from .way_sides import (
     unread,
 )
 
-__all__ = ["Side", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_way"]
+__all__ = [
+    "NO", "TOLL_KEYS", "Side", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_way",
+]  # fmt: skip
 
 LIGHT = VEHICLES["van-3.5t"]
 """Whose speed is that of light vehicles where it depends on mass."""
 
 NO = frozenset({"no", "false", "0"})
+TOLL_KEYS = ("toll:hgv", "toll:N3", "toll")
+"""The first that is there says whether a heavy truck pays."""
+
 FORWARD, BACKWARD, BOTH = 1, -1, 0
 
 
@@ -45,12 +50,15 @@ class Side:
         Whom it is closed to, in the form of `network.restrictions`.
     toll : bool
         Whether trucks pay.
+    toll_free : bool
+        Whether the map says that they do not.
     """
 
     speed_kmh: float
     posted_kmh: float
     restriction: str
     toll: bool
+    toll_free: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +86,8 @@ class WayReading:
         Whom the road is closed to, in the form of `network.restrictions`, likewise.
     closed_by : str
         The tags that close it, if nobody may drive there.
+    toll_free : bool
+        Whether the map says that trucks pay no toll, which is more than to say nothing of it.
     """
 
     direction: int
@@ -91,18 +101,20 @@ class WayReading:
     restriction: str = ""
     backward_restriction: str = ""
     closed_by: str = ""
+    toll_free: bool = False
 
     @property
     def along(self) -> Side:
         """In its only direction, else along the way as it is drawn."""
-        return Side(self.speed_kmh, self.posted_kmh, self.restriction, self.toll)
+        return Side(self.speed_kmh, self.posted_kmh, self.restriction, self.toll, self.toll_free)
 
     @property
     def against(self) -> Side:
         """In its only direction, else against the way."""
         return Side(
-            self.backward_kmh, self.backward_posted_kmh, self.backward_restriction, self.toll
-        )
+            self.backward_kmh, self.backward_posted_kmh, self.backward_restriction, self.toll,
+            self.toll_free,
+        )  # fmt: skip
 
 
 def dropped(reading: WayReading, unit: str) -> str:
@@ -162,14 +174,15 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
     for own in (noted[first], noted[last]):
         # A remark counts once for a way, whichever direction it is about.
         remarks += [remark for remark in own if remark not in remarks]
-    toll = tags.get("toll:hgv", tags.get("toll:N3", tags.get("toll", "no")))
+    toll = next((tags[key].strip().lower() for key in TOLL_KEYS if key in tags), "")
     for key in unread(tags):
         counts[f"restrictions not read: {key}"] += 1
     return WayReading(
         direction=direction,
         allowed=any(usable),
         speed_kmh=ways[first][0],
-        toll=toll.strip().lower() not in NO,
+        toll=toll not in NO and toll != "",
+        toll_free=toll in NO,
         remarks=(*remarks, *counts),
         backward_kmh=ways[last][0],
         posted_kmh=ways[first][1],
@@ -204,7 +217,7 @@ def _speeds(
     return truck_kmh(truck, side, rules, remarks), car_kmh(van, side, rules)
 
 
-DRIVING_TAGS = frozenset({"highway", "oneway", "junction", "toll", "toll:hgv", "toll:N3"})
+DRIVING_TAGS = frozenset({"highway", "oneway", "junction", *TOLL_KEYS})
 
 
 def is_driving_tag(key: str) -> bool:

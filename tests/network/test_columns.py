@@ -125,7 +125,7 @@ def test_a_new_row_is_saved_checked_and_exchanged(wider, tmp_path):
 def test_a_column_may_be_misspelt_but_not_in_silence():
     with pytest.raises(NetworkError, match="called 'speed_ms'; did you mean speed_mps"):
         RoadNetwork.from_edges([0], [1], lon=[9, 9.1], lat=[45, 45], speed_ms=20)
-    with pytest.raises(NetworkError, match="no column is called 'zzz'; use country, head"):
+    with pytest.raises(NetworkError, match="no column is called 'zzz'; use climb_m, country"):
         small_italy().take([0], zzz=1)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..columns import ROAD_CLASSES, columns_per, lengthened
+from ..columns import ROAD_CLASSES, columns_per, lengthened, shared_columns
 from ..placed import PlacedNetwork
 from ..road_network import RoadNetwork
 from ..road_points import points_along
@@ -236,6 +236,11 @@ def _made(
     ends = np.concatenate([np.ones(m), np.array(added.ends, np.float64)])
     ends[cut] = [one[1] for one in changed.values()]
     length[cut] *= ends[cut]
+    begins = np.concatenate([np.zeros(m), np.array(added.begins, np.float64)])
+    for column in shared_columns():
+        values = columns[column.name]
+        values[cut] *= ends[cut]
+        values[m:] *= ends[m:] - begins[m:]
     for column in columns_per("edge"):
         if column.name != "tail":
             columns[column.name] = columns[column.name][order]
@@ -248,7 +253,7 @@ def _made(
         **{**same, **columns, "_file": None},
         below=net,
         below_edge=np.concatenate([np.arange(m), source])[order],
-        begins=np.concatenate([np.zeros(m), np.array(added.begins, np.float64)])[order],
+        begins=begins[order],
         ends=ends[order],
         place_edge=np.array(place_edge, np.int64),
         place_share=np.array(place_share, np.float64),

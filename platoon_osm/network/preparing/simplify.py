@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -17,15 +19,15 @@ __all__ = ["merge_chains"]
 KEEP = Column("keep", "node", "b1")
 
 SPEEDS = ("speed_mps", "posted_mps")
-WORKED_OUT = frozenset({"tail", "head", "length_m", *SPEEDS})
+WORKED_OUT = frozenset({"tail", "head", *SPEEDS})
 """Columns of a chain that are no choice among those of its parts."""
 
 
 def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> RoadNetwork:
     """Return the network without nodes of degree two, each chain being one edge.
 
-    Lengths and driving times add up; the shape passes all points. Road number, name, class and
-    way are those of the longest part of the chain. A node stays where the toll begins or
+    Lengths, climbs and driving times add up; the shape passes all points. Road number, name, class
+    and way are those of the longest part of the chain. A node stays where the toll begins or
     ends, where inferred road meets mapped road, where a restriction or another country begins,
     and where `keep` says so.
 
@@ -56,13 +58,17 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
             )
         stay |= marked
     chains = contract_chains(tail, head, net.n, stay)
-    count = len(chains.first) - 1
     starts, ends = chains.first[:-1], chains.first[1:] - 1
     new_tail, new_head = tail[chains.segments[starts]], head[chains.segments[ends]]
     used = np.zeros(net.n, bool)
     used[new_tail] = used[new_head] = True
     renumbered = np.cumsum(used) - 1
-    length = np.add.reduceat(net.length_m[chains.segments], starts) if count else np.zeros(0)
+    summed = {
+        column.name: _sum(getattr(net, column.name), chains)
+        for column in columns_per("edge")
+        if column.in_chain == "sum"
+    }
+    length = summed["length_m"]
     speeds = {name: _mean_speed(net, getattr(net, name), chains, length) for name in SPEEDS}
     points, shape_first = _joined_shapes(net, chains)
     longest = {
@@ -76,12 +82,21 @@ def merge_chains(net: RoadNetwork, keep: NDArray[np.bool_] | None = None) -> Roa
         **{column.name: getattr(net, column.name)[used] for column in columns_per("node")},
         tail=renumbered[new_tail],
         head=renumbered[new_head],
-        length_m=length,
+        **summed,
         **speeds,
         shape_first=shape_first,
         shape_lon=net.shape_lon[points],
         shape_lat=net.shape_lat[points],
     )
+
+
+def _sum(values: NDArray[Any], chains: Chains) -> NDArray[Any]:
+    """Return the sum of each chain's parts, in the type of the parts."""
+    starts = chains.first[:-1]
+    if not len(starts):
+        return values[:0]
+    sums: NDArray[Any] = np.add.reduceat(values[chains.segments].astype(np.float64), starts)
+    return sums.astype(values.dtype, copy=False)
 
 
 def _mean_speed(

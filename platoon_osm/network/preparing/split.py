@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import NetworkError
-from ..columns import Column, lengthened
+from ..columns import Column, lengthened, shared_columns
 from ..geodesy import distance_m
 from ..making import checked_edges, in_its_type
 from ..road_network import RoadNetwork, checked_network
@@ -59,7 +59,7 @@ def split_edges(
     node_of_cut = np.empty(len(where), np.int64)
     lon, lat = list(net.lon), list(net.lat)
     whole = np.ones(net.m, bool)
-    tails, heads, parents, shapes, lengths = [], [], [], [], []
+    tails, heads, parents, shapes, lengths, shares = [], [], [], [], [], []
     for group in np.split(order, np.flatnonzero(np.diff(where[order])) + 1) if len(order) else []:
         edge = int(where[group[0]])
         shape = net.shape(edge)
@@ -97,7 +97,10 @@ def split_edges(
                 parents.append(edge)
                 shapes.append(piece_shape)
                 lengths.append(piece_length * scale)
-    return _rebuilt(net, whole, tails, heads, parents, shapes, lengths, lon, lat), node_of_cut
+                shares.append(piece_length / measured[-1])
+    return _rebuilt(
+        net, whole, tails, heads, parents, shapes, lengths, shares, lon, lat
+    ), node_of_cut
 
 
 def _new_ids(net: RoadNetwork, count: int) -> NDArray[np.int64]:
@@ -114,6 +117,7 @@ def _rebuilt(
     parents: list[int],
     shapes: list[NDArray[np.float64]],
     lengths: list[float],
+    shares: list[float],
     lon: list[float],
     lat: list[float],
 ) -> RoadNetwork:
@@ -123,7 +127,7 @@ def _rebuilt(
     added = np.vstack(shapes) if shapes else np.zeros((0, 2))
     sizes = np.array([len(shape) for shape in shapes], np.int64)
     new = len(lon) - net.n
-
+    part = np.concatenate([np.ones(len(stays)), np.array(shares)])
     nodes = lengthened(
         net, "node", new, lon=lon[net.n :], lat=lat[net.n :], node_id=_new_ids(net, new)
     )
@@ -133,6 +137,7 @@ def _rebuilt(
         tail=np.concatenate([net.tail[stays], np.array(tails, np.int32)]),
         head=np.concatenate([net.head[stays], np.array(heads, np.int32)]),
         length_m=np.concatenate([net.length_m[stays], np.array(lengths)]),
+        **{column.name: getattr(net, column.name)[origin] * part for column in shared_columns()},
         shape_first=np.concatenate([first, first[-1] + np.cumsum(sizes)]),
         shape_lon=np.concatenate([net.shape_lon[points], added[:, 0]]),
         shape_lat=np.concatenate([net.shape_lat[points], added[:, 1]]),

@@ -24,11 +24,11 @@ from numpy.typing import NDArray
 from ...atomic_file import whole_file
 from ...errors import MapDataError, NetworkError
 from ...output_paths import SAVED
-from ..columns import COLUMNS, columns_per
+from ..columns import COLUMNS, Per, columns_per
 from ..load_report import LoadReport, Source
 from ..road_network import NamedPoints, RoadNetwork, checked_network
 from ..texts import TextTable
-from .beginning import FORMAT_VERSION, MAGIC
+from .beginning import FORMAT_VERSION, MAGIC, READABLE
 from .checks import check_arrays
 
 __all__ = ["FORMAT_VERSION", "MAGIC", "open_network", "save_network"]
@@ -119,9 +119,10 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
             if len(start) < BEFORE_HEADER:
                 raise _damaged(file, "its header is cut short")
             version = start[len(MAGIC)]
-            if version != FORMAT_VERSION:
+            if version not in READABLE:
+                formats = " and ".join(map(str, READABLE))
                 raise MapDataError(
-                    f"{file}: saved in format {version}, this version reads {FORMAT_VERSION}; run "
+                    f"{file}: saved in format {version}, this version reads {formats}; run "
                     "`platoon-osm prepare` on the source again"
                 )
             header_bytes = int.from_bytes(start[len(MAGIC) + 1 : -32], "little")
@@ -141,6 +142,8 @@ def open_network(path: str | os.PathLike[str], *, verify: bool | None = None) ->
         if verify and hashlib.sha256(payload.data).hexdigest() != header["payload_sha256"]:
             raise _damaged(file, "its arrays do not match their checksum")
         arrays = {name: _view(payload, item) for name, item in header["arrays"].items()}
+        if version != FORMAT_VERSION:
+            arrays |= _later_columns(arrays)
         check_arrays(arrays)
         return _network(arrays, header, file.absolute())
     except OSError as error:
@@ -203,6 +206,23 @@ def _view(payload: NDArray[np.uint8], item: dict[str, Any]) -> NDArray[Any]:
     part = payload[item["offset"] : item["offset"] + count * dtype.itemsize]
     array: NDArray[Any] = np.asarray(part).view(dtype).reshape(item["shape"])
     return array
+
+
+def _later_columns(arrays: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    """Return the defaults of columns that an earlier version did not save, and that are missing."""
+    counts: dict[Per, int] = {
+        "node": len(arrays["lon"]),
+        "edge": len(arrays["tail"]),
+        "named point": len(arrays["points.lon"]),
+    }
+    missing = [
+        column
+        for column in columns_per(*counts)
+        if column.default is not None and column.name not in arrays
+    ]
+    if not missing:
+        raise ValueError("it holds more than its version knows")
+    return {column.name: column.filled(counts[column.per]) for column in missing}
 
 
 def _network(arrays: dict[str, Any], header: dict[str, Any], file: Path) -> RoadNetwork:

@@ -8,14 +8,12 @@ from typing import Any
 from ...network.road_network import ROAD_CLASSES
 from ..road_choice import RoadChoice
 from ..speeds.texts import read_speed_kmh
-from ..truck import NO, is_driving_tag
+from ..truck import NO, TOLL_KEYS, is_driving_tag
 from ..way_sides import is_restriction
 from .graph_arrays import Attributes
 from .graph_values import flag, parts
 
 __all__ = ["class_code", "edge_class", "truck_tags"]
-
-TOLL_KEYS = ("toll:hgv", "toll:N3", "toll")
 
 
 def class_code(highway: str) -> int:

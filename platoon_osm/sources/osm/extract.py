@@ -6,6 +6,7 @@ import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from ...network.restrictions import Layer, decode, encode
 from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
 from ...network.texts import encode_texts
 from ..country.roads import countries_of
+from ..slopes import INCLINE_TAGS, slope_along
 from ..truck import (
     BACKWARD,
     FORWARD,
@@ -32,6 +34,7 @@ from ..truck import (
     read_way,
 )
 from .barriers import barrier_layers
+from .climbs import drawn_slopes
 from .ferries import crossing_mps, duration_s, is_ferry, read_ferry
 from .raw_osm import RawMap, TagReader, read_raw
 from .turn_relations import Segments, forbidden_turns
@@ -114,6 +117,8 @@ class _Ways:
     road_class: NDArray[np.uint8]
     country: NDArray[np.int64]
     toll: NDArray[np.bool_]
+    toll_free: NDArray[np.bool_]
+    slope: NDArray[np.float64]
     ref: NDArray[np.int64]
     name: NDArray[np.int64]
     texts: tuple[str, ...]
@@ -126,7 +131,9 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
     Ways share tags, tags share readings and names: each level is a table, and ways are looked up
     in it by number, for that is what keeps loading near the speed of the file itself.
     """
-    read_tags = TagReader(lambda key: key in NAME_TAGS or is_driving_tag(key))
+    read_tags = TagReader(
+        lambda key: key in NAME_TAGS or key in INCLINE_TAGS or is_driving_tag(key)
+    )
     readings: list[WayReading] = [NOT_A_ROAD]
     known: dict[tuple[tuple[tuple[str, str], ...], str | None], int] = {}
     names: dict[str, int] = {"": 0}
@@ -138,11 +145,13 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         np.int64,
         len(raw.way_tags),
     )
-    rows = np.zeros((len(sets), 5), np.int64)
+    rows = np.zeros((len(sets), 6), np.int64)
+    slopes: dict[tuple[float, str], int] = {(nan, ""): 0}
     for number, (text, country) in enumerate(sets):
         tags = read_tags(text)
         ref, destination = tags.pop("ref", ""), tags.pop("destination", "")
         name = tags.pop("name", destination)
+        inclines = {key: tags.pop(key) for key in INCLINE_TAGS & tags.keys()}
         highway = tags.get("highway", "")
         ferry = is_ferry(tags)
         if highway not in classes and not ferry:
@@ -157,8 +166,9 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
             reading, _class_code("ferry" if ferry else highway),
             names.setdefault(ref, len(names)), names.setdefault(name, len(names)),
             names.setdefault(country, len(names)),
+            slopes.setdefault(slope_along(inclines), len(slopes)) if inclines else 0,
         )  # fmt: skip
-    reading_of, road_class, ref_of, name_of, country_of_way = rows[way_set].T
+    reading_of, road_class, ref_of, name_of, country_of_way, slope_of = rows[way_set].T
 
     def looked_up(values: list[Any], dtype: type) -> NDArray[Any]:
         by_way: NDArray[Any] = np.array(values, dtype)[reading_of]
@@ -179,6 +189,11 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         crossing = _crossing_mps(raw, way, read_tags, speed[way])
         for column in (speed, backward, posted, backward_posted):
             column[way] = crossing
+    counts = _counts(readings, np.bincount(reading_of, minlength=len(readings)).tolist())
+    inclined = np.bincount(slope_of[kept], minlength=len(slopes)).tolist()
+    for (_, remark), number in zip(slopes, inclined, strict=True):
+        if remark and number:
+            counts[remark] = counts.get(remark, 0) + number
     return _Ways(
         road=reading_of > 0,
         kept=kept,
@@ -192,10 +207,12 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
         road_class=road_class.astype(np.uint8),
         country=country_of_way,
         toll=looked_up([reading.toll for reading in readings], bool),
+        toll_free=looked_up([reading.toll_free for reading in readings], bool),
+        slope=np.array([slope for slope, _ in slopes])[slope_of],
         ref=ref_of,
         name=name_of,
         texts=tuple(names),
-        counts=_counts(readings, np.bincount(reading_of, minlength=len(readings)).tolist()),
+        counts=counts,
     )
 
 
@@ -247,6 +264,8 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     counts["ways of fewer than two nodes"] = int((np.diff(raw.first)[ways.kept] < 2).sum())
     # A segment joins two nodes that follow each other on a way and that the file both has.
     start = np.flatnonzero(on_road[:-1] & (way[:-1] == way[1:]) & present[:-1] & present[1:])
+    told: Counter[str] = Counter()
+    climbs = drawn_slopes(raw, start, way[start], ways.slope, told)
     repeated = raw.ref[start] == raw.ref[start + 1]
     counts["repeated nodes skipped"] = int(repeated.sum())
     start = start[~repeated]
@@ -265,12 +284,12 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
     def both(along: NDArray[Any], against: NDArray[Any]) -> NDArray[Any]:
         return np.concatenate([along[of[forward]], against[of[backward]]])
 
-    told: Counter[str] = Counter()
     barriers = barrier_layers(raw, ids, tails, heads, told)
     drawn = Segments(
         tails, heads, source_way, np.concatenate([start[forward], start[backward]]),
         np.repeat([True, False], [int(forward.sum()), int(backward.sum())]),
     )  # fmt: skip
+    summed = {} if climbs is None else climbs.of(~repeated).columns(forward, backward)
     turns = forbidden_turns(raw, drawn, ids, told)
     turns += no_turning_round(tails, heads, len(ids), turns)
     split = split_turns(tails, heads, len(ids), turns)
@@ -282,6 +301,15 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
         for segment, node in _restricted(tails[own], at_nodes, split.layers)
         for turn in (split.layers.get(segment, ()),)
     }
+
+    summed = {name: values[own] for name, values in summed.items()}
+    free = np.flatnonzero(ways.toll_free[source_way[own]])
+    if len(free):
+        ends = at[spot][np.stack([split.tail[free], split.head[free]])]
+        summed["toll_free_m"] = np.zeros(len(own))
+        summed["toll_free_m"][free] = distance_m(
+            raw.lon[ends[0]], raw.lat[ends[0]], raw.lon[ends[1]], raw.lat[ends[1]]
+        )
 
     junctions, points = _named_nodes(raw, ids, np.flatnonzero(~ways.road))
     texts, codes = encode_texts(
@@ -310,12 +338,15 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
             road_class=ways.road_class[source_way[own]], ref=codes[0][ways.ref[source_way[own]]],
             name=codes[0][ways.name[source_way[own]]],
             country=codes[0][ways.country[source_way[own]]], toll=ways.toll[source_way[own]],
-            way_id=raw.way_id[source_way[own]], texts=texts, points=_points(points, codes[3]),
+            way_id=raw.way_id[source_way[own]],
+            **summed, texts=texts, points=_points(points, codes[3]),
             source=raw.source, report=report,
         )  # fmt: skip
     except NetworkError as error:
         raise MapDataError(f"{file}: {error}") from error
     merged = merge_chains(net, keep[spot])
+    if merged.graded_m.any():
+        report = report.extended({"km of known grade": round(merged.graded_m.sum() / 1000)})
     sizes = {
         "nodes read": net.n, "directed segments read": net.m,
         "nodes after contracting chains": merged.n, "edges after contracting chains": merged.m,

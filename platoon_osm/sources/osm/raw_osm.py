@@ -81,6 +81,10 @@ class RawMap:
         Id, tags as OPL text and members (kind, id, role) of each relation that forbids turns.
     left_out : mapping of str to int
         How many ways were left out, by reason.
+    height_of : ndarray of int64, (h,)
+        Ids of the nodes that have an `ele`, rising.
+    heights : tuple of str, (h,)
+        What it says.
     """
 
     source: Source
@@ -93,6 +97,8 @@ class RawMap:
     nodes: tuple[tuple[int, str, float, float], ...]
     turns: tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
     left_out: Mapping[str, int]
+    height_of: NDArray[np.int64]
+    heights: tuple[str, ...]
 
 
 def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
@@ -138,6 +144,8 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         nodes=tuple(_node(path, line) for line in nodes),
         turns=tuple(_turn(line) for line in turns),
         left_out={},
+        height_of=np.fromiter(sorted(found.heights), np.int64, len(found.heights)),
+        heights=tuple(found.heights[node] for node in sorted(found.heights)),
     )
     fill_in(path, raw.ref, raw.lon, raw.lat)
     _place_new_nodes(path, raw)
@@ -235,6 +243,7 @@ class _Collector:
     gone : ways whose last version is no road, and why.
     versions : those of the ways, in their order.
     extracted, generator : what the file's head says of itself.
+    heights : what nodes say of their height, by their id.
     """
 
     def __init__(self, writer: Any) -> None:
@@ -250,6 +259,7 @@ class _Collector:
         self.gone: dict[int, str] = {}
         self.versions: list[int] = []
         self.extracted = self.generator = ""
+        self.heights: dict[int, str] = {}
 
     def way(self, way: Any) -> None:
         if way.deleted:
@@ -275,6 +285,21 @@ class _Collector:
         return np.frombuffer(bytes.fromhex("".join(self.shapes)), "<f8").reshape(-1, 2)
 
 
+class _Heights:
+    """Notes `ele` of every node that has one, on the road or not, before others are dropped."""
+
+    def __init__(self, heights: dict[int, str]) -> None:
+        self._heights = heights
+
+    def node(self, node: Any) -> None:
+        text = node.tags.get("ele")
+        if text is not None:
+            self._heights[node.id] = text
+        elif self._heights:
+            # A later version of a node may have lost it.
+            self._heights.pop(node.id, None)
+
+
 def _off_the_globe(location: Any) -> bool:
     """Tell a place that is none on earth from one that is merely not known."""
     return location.x != UNDEFINED_COORDINATE and not location.valid()
@@ -292,6 +317,10 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
         kinds = osmium.osm.NODE | osmium.osm.WAY | osmium.osm.RELATION
         with osmium.io.Reader(osm_file(path), kinds) as reader:
             wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS, *TURN_TAGS)
+            # Only nodes that may say anything are looked at from Python.
+            telling = osmium.filter.KeyFilter("ele", *dict.fromkeys(key for key, _ in NODE_TAGS))
+            telling.enable_for(osmium.osm.NODE)
+            chosen = (telling, _Heights(collector.heights), wanted, collector)
             versions = has_versions(path, reader.header())
             index = node_index(path) if versions else osmium.index.create_map("flex_mem")
             locations = osmium.NodeLocationsForWays(index)
@@ -300,8 +329,7 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
                 collector.gone = last_states(path, {*tags, *NODE_TAGS})
             # Where ways tell their places themselves, the nodes are not in the file.
             told = reader.header().get("pbf_optional_feature_0") == "LocationsOnWays"
-            handlers = (wanted, collector) if told else (locations, wanted, collector)
-            osmium.apply(reader, *handlers)
+            osmium.apply(reader, *(chosen if told else (locations, *chosen)))
             collector.extracted = reader.header().get("timestamp")
             collector.generator = reader.header().get("generator")
         # Writing happens in another thread; what goes wrong there may show only on closing.

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import pickle
 from dataclasses import replace
 from pathlib import Path
 
@@ -139,7 +140,34 @@ def test_another_version(saved):
     content = bytearray(saved.read_bytes())
     content[len(MAGIC)] = 1
     saved.write_bytes(content)
-    assert_refused(saved, "saved in format 1", f"reads {FORMAT_VERSION}", "prepare")
+    assert_refused(saved, "saved in format 1", f"reads 3 and {FORMAT_VERSION}", "prepare")
+
+
+def test_a_file_of_the_version_before_opens_without_what_it_lacks(saved):
+    later = ("climb_m", "descent_m", "graded_m", "toll_free_m")
+    net = pickle.loads(pickle.dumps(open_network(saved)))  # a copy: the file changes below it
+
+    def older(header):
+        return {
+            **header,
+            "arrays": {name: item for name, item in header["arrays"].items() if name not in later},
+        }
+
+    with_header(saved, older)
+    assert_refused(saved, "climb_m")
+    content = bytearray(saved.read_bytes())
+    content[len(MAGIC)] = 3
+    saved.write_bytes(content)
+    assert open_network(saved) == net
+    for name in later:
+        assert getattr(open_network(saved), name).tolist() == [0.0] * net.m
+
+
+def test_a_file_of_the_version_before_has_no_columns_of_today(saved):
+    content = bytearray(saved.read_bytes())
+    content[len(MAGIC)] = 3
+    saved.write_bytes(content)
+    assert_refused(saved, "more than its version knows")
 
 
 @settings(
