@@ -39,7 +39,7 @@ from .ferries import crossing_mps, duration_s, is_ferry, read_ferry
 from .raw_osm import RawMap, TagReader, read_raw
 from .turn_relations import Segments, forbidden_turns
 
-__all__ = ["MOTORWAY_CLASSES", "read_osm"]
+__all__ = ["MOTORWAY_CLASSES", "network_of", "read_osm"]
 
 MOTORWAY_CLASSES = ("motorway", "motorway_link")
 NAME_TAGS = frozenset({"ref", "name", "destination", "route", "duration"})
@@ -77,22 +77,48 @@ def read_osm(
         Unreadable file, or no road of these classes in it.
     """
     file = Path(path)
-    raw = read_raw(file, classes)
-    ways = _interpret(raw, set(classes), rules or TruckRules())
+    return network_of(read_raw(file, classes), str(file), classes, rules or TruckRules())
+
+
+def network_of(raw: RawMap, what: str, classes: Sequence[str], rules: TruckRules) -> RoadNetwork:
+    """Make the contracted network of a map that is ways over nodes, with tags.
+
+    Parameters
+    ----------
+    raw : RawMap
+        The map.
+    what : str
+        The file, to begin messages with.
+    classes : sequence of str
+        Values of the `highway` tag to load.
+    rules : TruckRules
+        How to read tags for a truck.
+
+    Returns
+    -------
+    RoadNetwork
+        The network.
+
+    Raises
+    ------
+    MapDataError
+        No road of these classes in it, or none with coordinates.
+    """
+    ways = _interpret(raw, set(classes), rules)
     ashore = ways.road_class != _class_code("ferry")
     if not (ways.kept & ashore).any():
         any_road = (ways.road & ashore).any()
         found = "its ways are closed to all of them" if any_road else "it has no such way"
         raise MapDataError(
-            f"{file}: no road of class {', '.join(classes)} for goods vehicles ({found}); "
+            f"{what}: no road of class {', '.join(classes)} for goods vehicles ({found}); "
             "load other classes or another area"
         )
-    net = _network(file, raw, ways)
+    net = _network(what, raw, ways)
     count = net.load_report.counts
     if not net.m:
         first = raw.way_id[np.argmax(ways.kept)]
         raise MapDataError(
-            f"{file}: none of {count['ways kept']} ways (first: way {first}) has two nodes with "
+            f"{what}: none of {count['ways kept']} ways (first: way {first}) has two nodes with "
             "coordinates; extract the area again with complete ways"
         )
     return net
@@ -255,7 +281,7 @@ def _counts(readings: list[WayReading], ways: list[int]) -> dict[str, int]:
     return first | dict(sorted(counts.items()))
 
 
-def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
+def _network(what: str, raw: RawMap, ways: _Ways) -> RoadNetwork:
     counts = {**ways.counts, **raw.left_out}
     way = np.repeat(np.arange(len(raw.way_id)), np.diff(raw.first))
     present = ~np.isnan(raw.lon)
@@ -343,7 +369,7 @@ def _network(file: Path, raw: RawMap, ways: _Ways) -> RoadNetwork:
             source=raw.source, report=report,
         )  # fmt: skip
     except NetworkError as error:
-        raise MapDataError(f"{file}: {error}") from error
+        raise MapDataError(f"{what}: {error}") from error
     merged = merge_chains(net, keep[spot])
     if merged.graded_m.any():
         report = report.extended({"km of known grade": round(merged.graded_m.sum() / 1000)})

@@ -15,24 +15,29 @@ from ...atomic_file import whole_file
 from ...errors import MapDataError, ScenarioError
 from ...network.road_network import ROAD_CLASSES
 from ...network.saved.store import save_network
+from ...vehicles.access import LOCKED
+from ...vehicles.limits import LIMITS
 from ..file_identity import ATTRIBUTION, LICENCE, osm_source
 from ..graphs.osmnx_graph import network_from_osmnx
+from ..speeds.of_road import KIND_KEYS
+from ..speeds.zones import ZONE_KEYS
 from ..truck import TruckRules
+from ..way_sides import ALONE, LIMITED_FOR, ONLY_SOME
 
 __all__ = ["SUFFIXES", "download", "osmnx_settings", "read_bounds"]
 
 SUFFIXES = (".graphml", ".platoon")
 
+RESTRICTIONS = (*ALONE, *(f"{limit}:{whom}" for limit in LIMITS for whom in LIMITED_FOR))
+PARTS = ("", ":forward", ":backward", ":conditional")
+SPEEDS = ("maxspeed", "maxspeed:hgv", "maxspeed:goods")
 WAY_TAGS = (
-    "highway", "ref", "name", "destination", "oneway", "junction", "toll", "toll:hgv", "toll:N3",
-    "hgv", "motor_vehicle", "vehicle", "access",
-    "hgv:conditional", "motor_vehicle:conditional", "access:conditional",
-    "maxspeed", "maxspeed:forward", "maxspeed:backward",
-    "maxspeed:hgv", "maxspeed:hgv:forward", "maxspeed:hgv:backward",
-    "maxspeed:conditional", "maxspeed:hgv:conditional",
+    "highway", "ref", "name", "destination", "junction", "toll", "toll:hgv", "toll:N3",
+    "oneway", "oneway:conditional", *ONLY_SOME, *ZONE_KEYS, *sorted(KIND_KEYS),
+    *(f"{key}{part}" for key in (*SPEEDS, *sorted(RESTRICTIONS)) for part in PARTS),
 )  # fmt: skip
 """What `truck.read_way` looks at, and what names a road."""
-NODE_TAGS = ("highway", "ref", "name")
+NODE_TAGS = ("highway", "ref", "name", "barrier", LOCKED, *sorted(RESTRICTIONS))
 
 LARGEST_REQUEST_M2 = 1e11
 """About 300 km by 300 km: few roads are of the classes asked for, so one request holds many."""

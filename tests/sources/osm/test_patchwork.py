@@ -155,7 +155,7 @@ def test_no_road_is_made_across_what_lies_outside_the_area(tmp_path):
     cut = line(10, [1, 2, 3, 4])
     cut["geometry"][1] = None
     net = answer(tmp_path, cut)
-    assert (net.m, net.report()["segments dropped: node not in the answer"]) == (1, 2)
+    assert (net.m, net.report()["nodes missing from ways"]) == (1, 1)
 
 
 def test_overpass_ways_listed_again(tmp_path):

@@ -298,3 +298,15 @@ def test_settings_come_back_after_any_error(tmp_path):
         assert osmnx.settings.cache_folder == tmp_path
         raise KeyboardInterrupt
     assert settings_now() == before
+
+
+def test_what_is_read_of_a_road_is_kept_of_an_answer():
+    from platoon_osm.sources.overpass.download import NODE_TAGS, WAY_TAGS
+    from platoon_osm.sources.truck import is_driving_tag
+
+    for key in ("maxheight", "maxweight:hgv", "hgv:forward", "access:conditional", "hazmat"):
+        assert key in WAY_TAGS
+    assert {"barrier", "access", "maxheight"} <= {*NODE_TAGS}
+    names = {"ref", "name", "destination"}
+    assert [key for key in WAY_TAGS if not (is_driving_tag(key) or key in names)] == []
+    assert len(set(WAY_TAGS)) == len(WAY_TAGS)

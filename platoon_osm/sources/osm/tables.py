@@ -1,0 +1,138 @@
+"""Maps that are not OSM files, given as ways, nodes and turns with tags, to be read as one is.
+
+Whatever a road comes from, an answer of Overpass, a table of lines or Overture's segments: once it
+is ways over nodes with tags, it is read by the same code, and a tag means the same everywhere.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from ...errors import MapDataError
+from ...network.load_report import Source
+from .raw_osm import NODE_TAGS, TURN_TAGS, RawMap
+
+__all__ = ["MapNode", "MapTurn", "MapWay", "raw_map"]
+
+Tags = Mapping[str, str]
+
+SPECIAL = re.compile(r"[^\w.:/+*()<>;&!?'\"|-]")
+
+
+class MapWay(NamedTuple):
+    """A way: its id, the ids of its nodes in order, its tags."""
+
+    number: int
+    nodes: list[int]
+    tags: Tags
+
+
+class MapNode(NamedTuple):
+    """A node: longitude and latitude [deg], and its tags."""
+
+    lon: float
+    lat: float
+    tags: Tags
+
+
+class MapTurn(NamedTuple):
+    """A relation that forbids a turn: its id, its members (kind, id, role), its tags."""
+
+    number: int
+    members: tuple[tuple[str, int, str], ...]
+    tags: Tags
+
+
+def raw_map(
+    what: str,
+    source: Source,
+    ways: Iterable[MapWay],
+    nodes: Mapping[int, MapNode],
+    turns: Iterable[MapTurn] = (),
+    *,
+    classes: Collection[str],
+    left_out: Mapping[str, int],
+) -> RawMap:
+    """Return a map in the form in which OSM files are read.
+
+    Parameters
+    ----------
+    what : str
+        The file, to begin messages with.
+    source : Source
+        Where it is from.
+    ways : iterable of MapWay
+        Ids may not repeat.
+    nodes : mapping of int to MapNode
+        By id; one that a way names may be missing.
+    turns : iterable of MapTurn
+        Relations; those that forbid no turn are left out.
+    classes : collection of str
+        Values of `highway` to keep, besides ferries and places.
+    left_out : mapping of str to int
+        What was left out already, by reason.
+
+    Returns
+    -------
+    RawMap
+        Ready for `extract.network_of`.
+
+    Raises
+    ------
+    MapDataError
+        No road of these classes; the message names those there are.
+    """
+    counts, found = Counter(left_out), Counter[str]()
+    kept = []
+    for way in ways:
+        highway = way.tags.get("highway", "")
+        found.update([highway] if highway else [])
+        of_wish = highway in classes or way.tags.get("route") == "ferry"
+        if of_wish or any((key, value) in NODE_TAGS for key, value in way.tags.items()):
+            kept.append(way)
+        elif highway:
+            counts["ways left out: other road class"] += 1
+    if not any(found[kind] for kind in classes):
+        told = ", ".join(f"{kind} ({count:,})" for kind, count in found.most_common(8))
+        raise MapDataError(
+            f"{what}: no road of class {', '.join(classes)}; found: {told or 'no road at all'}; "
+            "choose other classes or a larger area"
+        )
+    sizes = [len(way.nodes) for way in kept]
+    refs = [node for way in kept for node in way.nodes]
+    nowhere = MapNode(np.nan, np.nan, {})
+    places = np.array([nodes.get(node, nowhere)[:2] for node in refs], np.float64).reshape(-1, 2)
+    return RawMap(
+        source=source,
+        way_id=np.array([way.number for way in kept], np.int64),
+        way_tags=tuple(_text(way.tags) for way in kept),
+        first=np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]).astype(np.int64),
+        ref=np.array(refs, np.int64),
+        lon=places[:, 0].copy(),
+        lat=places[:, 1].copy(),
+        nodes=tuple(
+            (number, _text(node.tags), node.lon, node.lat)
+            for number, node in nodes.items()
+            if any((key, value) in NODE_TAGS for key, value in node.tags.items())
+        ),
+        turns=tuple(
+            (turn.number, _text(turn.tags), turn.members)
+            for turn in turns
+            if ("type", turn.tags.get("type", "")) in TURN_TAGS
+        ),
+        left_out=dict(counts),
+    )
+
+
+def _text(tags: Tags) -> str:
+    """Return tags as OPL has them: pairs with commas between, special characters as %hex%."""
+    return ",".join(f"{_escaped(key)}={_escaped(value)}" for key, value in tags.items())
+
+
+def _escaped(text: str) -> str:
+    return SPECIAL.sub(lambda found: f"%{ord(found.group()):x}%", text)
