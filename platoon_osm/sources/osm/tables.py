@@ -103,6 +103,7 @@ def raw_map(
             f"{what}: no road of class {', '.join(classes)}; found: {told or 'no road at all'}; "
             "choose other classes or a larger area"
         )
+    high = sorted(number for number, node in nodes.items() if "ele" in node.tags)
     sizes = [len(way.nodes) for way in kept]
     refs = [node for way in kept for node in way.nodes]
     nowhere = MapNode(np.nan, np.nan, {})
@@ -126,6 +127,8 @@ def raw_map(
             if ("type", turn.tags.get("type", "")) in TURN_TAGS
         ),
         left_out=dict(counts),
+        height_of=np.array(high, np.int64),
+        heights=tuple(nodes[number].tags["ele"] for number in high),
     )
 
 

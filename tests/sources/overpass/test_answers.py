@@ -30,6 +30,8 @@ def maps(draw):
         for k in range(n)
     }
     for node in nodes:
+        if rng.random() < 0.3:
+            nodes[node][2].update(ele=str(rng.choice(["120", "135 m", "400 ft", "high"])))
         if rng.random() < 0.2:
             nodes[node][2].update(barrier=str(rng.choice(["bollard", "gate", "toll_booth", "odd"])))
     ways = {}
