@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from .network.access import Access
     from .network.location import Location, Place
     from .network.road_network import RoadNetwork
+    from .network.road_stop import RoadStop
+    from .network.stops import stops_along
     from .planning.cases import plan_members
     from .planning.joint import plan_joint, solve
     from .planning.place_table import place_table
@@ -63,6 +65,8 @@ _WHERE = {
     "Location": "network.location",
     "Place": "network.location",
     "RoadNetwork": "network.road_network",
+    "RoadStop": "network.road_stop",
+    "stops_along": "network.stops",
     "many_to_many": "search.engine",
     "place_table": "planning.place_table",
     "plan_members": "planning.cases",
@@ -116,6 +120,7 @@ __all__ = [
     "Proof",
     "RandomNetwork",
     "RoadNetwork",
+    "RoadStop",
     "RoadTrips",
     "ScenarioError",
     "Searches",
@@ -134,6 +139,7 @@ __all__ = [
     "read_trips",
     "run_study",
     "solve",
+    "stops_along",
     "to_geodataframe",
     "write_comparison",
     "write_csv",
@@ -163,6 +169,7 @@ def __dir__() -> list[str]:
 for _name, _where in {
     "locate": "network.locate",
     "place_name": "network.naming",
+    "road_stops": "network.stops",
     "save_network": "network.saved.store",
     "to_networkx": "sources.graphs.exchange",
     "from_networkx": "sources.graphs.exchange",

@@ -81,7 +81,7 @@ class NetworkArrays:
     texts : TextTable
         All names.
     points : NamedPoints
-        Service areas, rest areas, towns.
+        Service areas, rest areas and other stops for trucks, tunnels, towns.
     source : Source
         Identity of the data.
     load_report : LoadReport

@@ -17,6 +17,7 @@ __all__ = [
     "COLUMNS",
     "POINT_KINDS",
     "ROAD_CLASSES",
+    "STOP_KINDS",
     "Column",
     "Per",
     "columns_per",
@@ -28,7 +29,10 @@ ROAD_CLASSES = (
     "motorway", "motorway_link", "trunk", "trunk_link", "primary", "primary_link",
     "secondary", "secondary_link", "tertiary", "tertiary_link", "other", "ferry",
 )  # fmt: skip
-POINT_KINDS = ("services", "rest_area", "city", "town", "village")
+STOP_KINDS = ("services", "rest_area", "parking", "fuel", "charging")
+"""Where trucks stop beside the road: the kind that says most of a place."""
+
+POINT_KINDS = (*STOP_KINDS, "tunnel", "city", "town", "village")
 
 Per = Literal["node", "edge", "shape point", "named point", "offset"]
 """What a column has one value for; offsets say where the rows of another column begin."""
@@ -116,6 +120,8 @@ COLUMNS = (
     Column("points.kind", "named point", "u1", "kind", codes=POINT_KINDS),
     Column("points.name", "named point", "i4", "text", codes="texts"),
     Column("points.population", "named point", "i8", "inhabitants"),
+    Column("points.capacity", "named point", "i4", "spaces for trucks", -1),
+    Column("points.tags", "named point", "i4", "text", 0, "texts"),
 )  # fmt: skip
 """All columns, in the order in which a saved network has them."""
 

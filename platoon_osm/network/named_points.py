@@ -1,8 +1,8 @@
-"""Places beside the roads: service and rest areas, and the towns that give orientation."""
+"""Places beside the roads: where trucks stop, tunnels, and the towns that give orientation."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,9 @@ from .making import in_its_type
 __all__ = ["NamedPoints"]
 
 PREFIX = "points."
+
+NOT_GIVEN: NDArray[np.int32] = np.zeros(0, np.int32)
+"""Stands for columns that get their default."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,6 +34,11 @@ class NamedPoints:
         Code in the network's texts.
     population : ndarray of int64, (p,)
         Inhabitants, 0 where not known.
+    capacity : ndarray of int32, (p,)
+        Spaces for trucks, -1 where not known; the default.
+    tags : ndarray of int32, (p,)
+        Code in the network's texts: what the map says of a stop or a tunnel, in the form of
+        `network.restrictions`; by default nothing.
     """
 
     lon: NDArray[np.float64]
@@ -38,11 +46,16 @@ class NamedPoints:
     kind: NDArray[np.uint8]
     name: NDArray[np.int32]
     population: NDArray[np.int64]
+    capacity: NDArray[np.int32] = field(default_factory=lambda: NOT_GIVEN)
+    tags: NDArray[np.int32] = field(default_factory=lambda: NOT_GIVEN)
 
     def __post_init__(self) -> None:
         for column in columns_per("named point"):
             name = column.name.removeprefix(PREFIX)
-            values = in_its_type(column, getattr(self, name))
+            given = getattr(self, name)
+            if given is NOT_GIVEN:
+                given = column.filled(np.size(self.lon))
+            values = in_its_type(column, given)
             if values.shape != np.shape(self.lon) or values.ndim != 1:
                 raise NetworkError(
                     f"network: {column.name} has shape {values.shape}, points.lon "

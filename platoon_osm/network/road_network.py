@@ -11,7 +11,7 @@ from ..errors import NetworkError
 from ..offers import offered
 from .access import STANDARD_ACCESS, Access
 from .arrays import NetworkArrays
-from .columns import POINT_KINDS, ROAD_CLASSES, columns_per
+from .columns import POINT_KINDS, ROAD_CLASSES, STOP_KINDS, columns_per
 from .components import connected_share, strong_components
 from .load_report import LoadReport
 from .location import Location, Role, format_position
@@ -24,9 +24,12 @@ if TYPE_CHECKING:
     import geopandas
     import networkx
 
+    from .road_stop import RoadStop
+
 __all__ = [
     "POINT_KINDS",
     "ROAD_CLASSES",
+    "STOP_KINDS",
     "NamedPoints",
     "RoadNetwork",
     "checked_network",
@@ -412,6 +415,17 @@ class RoadNetwork(NetworkArrays):
         found: Location = offered("locate")(
             self, place, role, osmid=osmid, label=label, access=access
         )
+        return found
+
+    def stops(self) -> tuple[RoadStop, ...]:
+        """Return where trucks may stop beside the roads; see `platoon_osm.network.stops`.
+
+        Returns
+        -------
+        tuple of RoadStop
+            Rest areas, service areas, parkings, fuel and charging, with where the road is left.
+        """
+        found: tuple[RoadStop, ...] = offered("road_stops")(self)
         return found
 
     def save(self, path: Any) -> None:

@@ -40,7 +40,7 @@ def test_a_copy_is_equal_and_read_only(copied):
     assert {net: 1}[again] == 1
     texts = [again.texts.offsets, again.texts.blob]
     arrays = arrays_of(again) + arrays_of(again.points) + texts
-    assert len(arrays) == 33
+    assert len(arrays) == 35
     assert not any(array.flags.writeable for array in arrays)
     assert again.locate("Agrate").node == net.locate("Agrate").node
     assert again.identity() == net.identity()

@@ -20,7 +20,13 @@ from ...network.preparing.simplify import merge_chains
 from ...network.preparing.turning_round import no_turning_round
 from ...network.preparing.turns import split_turns
 from ...network.restrictions import Layer, decode, encode
-from ...network.road_network import POINT_KINDS, ROAD_CLASSES, NamedPoints, RoadNetwork
+from ...network.road_network import (
+    POINT_KINDS,
+    ROAD_CLASSES,
+    STOP_KINDS,
+    NamedPoints,
+    RoadNetwork,
+)
 from ...network.texts import encode_texts
 from ..country.roads import countries_of
 from ..slopes import INCLINE_TAGS, slope_along
@@ -36,6 +42,7 @@ from ..truck import (
 from .barriers import barrier_layers
 from .climbs import drawn_slopes
 from .ferries import crossing_mps, duration_s, is_ferry, read_ferry
+from .places import MapPoint, map_stops, map_tunnels
 from .raw_osm import RawMap, TagReader, read_raw
 from .turn_relations import Segments, forbidden_turns
 
@@ -43,9 +50,20 @@ __all__ = ["MOTORWAY_CLASSES", "network_of", "read_osm"]
 
 MOTORWAY_CLASSES = ("motorway", "motorway_link")
 NAME_TAGS = frozenset({"ref", "name", "destination", "route", "duration"})
-PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population", "barrier"})
+PLACE_TAGS = frozenset({"highway", "place", "name", "ref", "population", "barrier", "amenity"})
+AREA_KINDS = ("services", "rest_area")
+POINT_LABELS = {
+    **dict.fromkeys(AREA_KINDS, "service and rest areas"),
+    "parking": "truck parkings beside them",
+    "fuel": "fuel stations for trucks beside them",
+    "charging": "charging stations for trucks beside them",
+    "tunnel": "tunnels with an ADR category",
+}
 SIGNED_BARRIERS = ("", "toll_booth", "border_control")
 """Barriers whose name stands on a sign at the road; "" for nodes without one."""
+
+SIDED = [ROAD_CLASSES.index(name) for name in ("motorway", "trunk", "primary")]
+"""Roads that part stops: what lies on the other side of one is another stop."""
 
 NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0, 1.0, 1.0)
 
@@ -337,10 +355,19 @@ def _network(what: str, raw: RawMap, ways: _Ways) -> RoadNetwork:
             raw.lon[ends[0]], raw.lat[ends[0]], raw.lon[ends[1]], raw.lat[ends[1]]
         )
 
-    junctions, points = _named_nodes(raw, ids, np.flatnonzero(~ways.road))
+    junctions, towns = _named_nodes(raw, ids)
+    sided = start[np.isin(ways.road_class[of], SIDED)]
+    lines = np.column_stack(
+        [raw.lon[sided], raw.lat[sided], raw.lon[sided + 1], raw.lat[sided + 1]]
+    )
+    points = [
+        *map_stops(raw, np.flatnonzero(~ways.road), lines, told),
+        *map_tunnels(raw, np.flatnonzero(ways.kept), told),
+        *towns,
+    ]
     texts, codes = encode_texts(
         ways.texts, [row[1] for row in junctions], [row[2] for row in junctions],
-        [row[3] for row in points], list(passed.values()),
+        [row.name for row in points], list(passed.values()), [row.tags for row in points],
     )  # fmt: skip
     restriction = codes[0][base]
     restriction[list(passed)] = codes[4]
@@ -365,7 +392,7 @@ def _network(what: str, raw: RawMap, ways: _Ways) -> RoadNetwork:
             name=codes[0][ways.name[source_way[own]]],
             country=codes[0][ways.country[source_way[own]]], toll=ways.toll[source_way[own]],
             way_id=raw.way_id[source_way[own]],
-            **summed, texts=texts, points=_points(points, codes[3]),
+            **summed, texts=texts, points=_points(points, codes[3], codes[5]),
             source=raw.source, report=report,
         )  # fmt: skip
     except NetworkError as error:
@@ -378,8 +405,13 @@ def _network(what: str, raw: RawMap, ways: _Ways) -> RoadNetwork:
         "nodes after contracting chains": merged.n, "edges after contracting chains": merged.m,
         "named junctions": int((merged.node_name > 0).sum()),
         "numbered junctions": int((merged.node_ref > 0).sum()),
-        "service and rest areas": int((merged.points.kind < POINT_KINDS.index("city")).sum()),
     }  # fmt: skip
+    sizes["service and rest areas"] = 0
+    for code, kind in enumerate(POINT_KINDS[: POINT_KINDS.index("city")]):
+        number = int((merged.points.kind == code).sum())
+        label = POINT_LABELS[kind]
+        if number or kind in AREA_KINDS:
+            sizes[label] = sizes.get(label, 0) + number
     return merged.with_report(report.extended(sizes))
 
 
@@ -397,13 +429,10 @@ def _restricted(
 
 
 def _named_nodes(
-    raw: RawMap, ids: NDArray[np.int64], areas: NDArray[np.int64]
-) -> tuple[list[tuple[int, str, str, bool]], list[tuple[float, float, int, str, int]]]:
-    """Sort tagged nodes into junctions on the roads, and places beside them.
-
-    `areas` are the ways that are no roads: service and rest areas.
-    """
-    junctions, points = [], []
+    raw: RawMap, ids: NDArray[np.int64]
+) -> tuple[list[tuple[int, str, str, bool]], list[MapPoint]]:
+    """Sort tagged nodes into junctions on the roads, and towns beside them."""
+    junctions, towns = [], []
     read_tags = TagReader(PLACE_TAGS.__contains__)
     wanted = np.array([row[0] for row in raw.nodes], np.int64)
     position = np.searchsorted(ids, wanted)
@@ -411,23 +440,15 @@ def _named_nodes(
         tags = read_tags(text)
         name = tags.get("name", "")
         kind = tags.get("highway") or tags.get("place") or ""
+        if kind in STOP_KINDS or "amenity" in tags:
+            continue
         if kind in POINT_KINDS:
-            if np.isnan(lon):
-                continue
-            points.append((lon, lat, POINT_KINDS.index(kind), name, _whole(tags, "population")))
+            if np.isfinite(lon):
+                towns.append(MapPoint(kind, lon, lat, name, _whole(tags, "population")))
         elif at < len(ids) and ids[at] == node and tags.get("barrier", "") in SIGNED_BARRIERS:
             is_junction = kind == "motorway_junction"
             junctions.append((at, name, tags.get("ref", "") if is_junction else "", is_junction))
-    for way in areas.tolist():
-        tags = read_tags(raw.way_tags[way])
-        if tags.get("highway") not in POINT_KINDS:
-            continue
-        part = slice(raw.first[way], raw.first[way + 1])
-        if np.isfinite(raw.lon[part]).any():
-            centre = float(np.nanmean(raw.lon[part])), float(np.nanmean(raw.lat[part]))
-            code = POINT_KINDS.index(tags["highway"])
-            points.append((*centre, code, tags.get("name", ""), 0))
-    return junctions, points
+    return junctions, towns
 
 
 def _whole(tags: dict[str, str], key: str) -> int:
@@ -435,10 +456,13 @@ def _whole(tags: dict[str, str], key: str) -> int:
     return int(digits) if digits.isdecimal() and len(digits) < 12 else 0
 
 
-def _points(rows: list[tuple[float, float, int, str, int]], name: NDArray[np.int32]) -> NamedPoints:
-    if not rows:
-        return NamedPoints.empty()
-    lon, lat, kind, _, population = zip(*rows, strict=True)
+def _points(rows: list[MapPoint], name: NDArray[np.int32], tags: NDArray[np.int32]) -> NamedPoints:
     return NamedPoints(
-        np.array(lon), np.array(lat), np.array(kind, np.uint8), name, np.array(population, np.int64)
+        np.array([row.lon for row in rows], np.float64),
+        np.array([row.lat for row in rows], np.float64),
+        np.array([POINT_KINDS.index(row.kind) for row in rows], np.uint8),
+        name,
+        np.array([row.population for row in rows], np.int64),
+        np.array([row.capacity for row in rows], np.int32),
+        tags,
     )

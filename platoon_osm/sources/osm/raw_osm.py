@@ -25,6 +25,8 @@ from ...errors import MapDataError
 from ...network.load_report import Source
 from ...vehicles.access import BARRIERS, CHAIN
 from ..file_identity import osm_source
+from ..stops.features import STOP_TAGS, TRUCK_KEYS, TRUCK_WORDS
+from .areas import area_outlines
 from .file_kind import osm_file
 from .josm import deleted_ways, new_node_positions, xml_items
 from .patchwork import fill_in, has_versions, last_states, newest, node_index
@@ -32,8 +34,7 @@ from .patchwork import fill_in, has_versions, last_states, newest, node_index
 __all__ = ["OsmNameError", "RawMap", "TagReader", "read_raw"]
 
 NODE_TAGS = (
-    ("highway", "motorway_junction"), ("highway", "services"), ("highway", "rest_area"),
-    ("place", "city"), ("place", "town"),
+    ("highway", "motorway_junction"), *STOP_TAGS, ("place", "city"), ("place", "town"),
     *(("barrier", kind) for kind in (*BARRIERS, "yes") if kind),
 )  # fmt: skip
 
@@ -42,6 +43,8 @@ TURN_TAGS = tuple(
     for kind in ("restriction", *(f"restriction:{whom}" for whom in (*CHAIN, "conditional")))
 )
 """Relations that forbid turns, to all or to some."""
+TURN = "type=restriction"
+"""What the tags of such a relation have, as OPL writes them."""
 
 UNDEFINED_COORDINATE = 2**31 - 1
 """What libosmium stores where a file has no coordinate."""
@@ -79,6 +82,8 @@ class RawMap:
         Id, tags as OPL text, lon and lat of each tagged node.
     turns : tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
         Id, tags as OPL text and members (kind, id, role) of each relation that forbids turns.
+    areas : tuple[tuple[int, str, ndarray], ...]
+        Id, tags as OPL text and outline (k, 2) of each relation that is an area where trucks stop.
     left_out : mapping of str to int
         How many ways were left out, by reason.
     height_of : ndarray of int64, (h,)
@@ -96,6 +101,7 @@ class RawMap:
     lat: NDArray[np.float64]
     nodes: tuple[tuple[int, str, float, float], ...]
     turns: tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
+    areas: tuple[tuple[int, str, NDArray[np.float64]], ...]
     left_out: Mapping[str, int]
     height_of: NDArray[np.int64]
     heights: tuple[str, ...]
@@ -127,12 +133,13 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     with tempfile.TemporaryDirectory(prefix="platoon-osm-") as folder:
         opl = Path(folder) / "roads.opl"
         found = _filter_to_opl(path, tags, opl)
-        ways, nodes, turns = _split_lines(opl)
+        ways, nodes, relations = _split_lines(opl)
     coordinates = found.coordinates()
     lists = [line[2] for line in ways]
     count = np.fromiter((part.count("n") for part in lists), np.int64, len(lists))
     first = np.zeros(len(ways) + 1, np.int64)
     np.cumsum(count, out=first[1:])
+    related = [_relation(line) for line in relations]
     raw = RawMap(
         source=osm_source(path.name, _sha256(path), found.extracted),
         way_id=np.fromiter((int(line[0][1:]) for line in ways), np.int64, len(ways)),
@@ -142,7 +149,8 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         lon=coordinates[:, 0].copy(),
         lat=coordinates[:, 1].copy(),
         nodes=tuple(_node(path, line) for line in nodes),
-        turns=tuple(_turn(line) for line in turns),
+        turns=tuple(one for one in related if TURN in one[1]),
+        areas=area_outlines(path, [one for one in related if TURN not in one[1]]),
         left_out={},
         height_of=np.fromiter(sorted(found.heights), np.int64, len(found.heights)),
         heights=tuple(found.heights[node] for node in sorted(found.heights)),
@@ -249,7 +257,7 @@ class _Collector:
     def __init__(self, writer: Any) -> None:
         import osmium
 
-        self.node, self.relation = writer.add_node, writer.add_relation
+        self._add_node, self._add_relation = writer.add_node, writer.add_relation
         self._add_way = writer.add_way
         self._line = osmium.geom.WKBFactory().create_linestring
         self._all = osmium.geom.ALL
@@ -261,9 +269,19 @@ class _Collector:
         self.extracted = self.generator = ""
         self.heights: dict[int, str] = {}
 
+    def node(self, node: Any) -> None:
+        if not _is_for_others(node.tags):
+            self._add_node(node)
+
+    def relation(self, relation: Any) -> None:
+        if not _is_for_others(relation.tags):
+            self._add_relation(relation)
+
     def way(self, way: Any) -> None:
         if way.deleted:
             self.deleted.add(way.id)
+            return
+        if _is_for_others(way.tags):
             return
         if self.deleted:
             self.deleted.discard(way.id)
@@ -298,6 +316,17 @@ class _Heights:
         elif self._heights:
             # A later version of a node may have lost it.
             self._heights.pop(node.id, None)
+
+
+def _is_for_others(tags: Any) -> bool:
+    """Tell a parking that does not speak of trucks, for maps hold them by the hundred thousand."""
+    return (
+        tags.get("amenity") == "parking"
+        and "highway" not in tags
+        and not any(key in tags for key in TRUCK_KEYS)
+        and tags.get("access") not in TRUCK_WORDS
+        and tags.get("parking") not in TRUCK_WORDS
+    )
 
 
 def _off_the_globe(location: Any) -> bool:
@@ -437,7 +466,7 @@ def _node(path: Path, line: list[str]) -> tuple[int, str, float, float]:
     return node, line[1][1:], *_on_the_globe(path, node, lon, lat)
 
 
-def _turn(line: list[str]) -> tuple[int, str, tuple[tuple[str, int, str], ...]]:
+def _relation(line: list[str]) -> tuple[int, str, tuple[tuple[str, int, str], ...]]:
     """Read "r12 Ttype=restriction Mw1@from,n2@via,w3@to"."""
     members = []
     for part in line[2][1:].rstrip("\n").split(","):

@@ -1,0 +1,1 @@
+"""Rest areas, truck parkings, fuel and charging: what the map's tags of them mean."""
