@@ -336,3 +336,29 @@ def test_the_sides_of_roads_are_those_of_shapely(seed):
     assert RoadSides(roads)(lines).tolist() == expected
     assert RoadSides(np.zeros((0, 4)))(lines).tolist() == [False] * 20
     assert RoadSides(roads)(lines[:0]).tolist() == []
+
+
+def test_answers_of_overpass_are_read_alike(tmp_path):
+    import json
+
+    from platoon_osm.sources.overpass.answers import read_overpass_cache
+    from platoon_osm.sources.truck import TruckRules
+
+    corners = [{"lon": lon, "lat": lat} for lon, lat, _ in (NODES[k] for k in (20, 21, 22, 23, 20))]
+    member = {"type": "way", "ref": 2, "role": "outer", "geometry": corners}
+    area = {"type": "multipolygon", "highway": "services", "name": "Area"}
+    elements = [
+        *({"type": "node", "id": k, "lon": lon, "lat": lat, "tags": tags}
+          for k, (lon, lat, tags) in NODES.items()),
+        {"type": "way", "id": 1, "nodes": [1, 2, 3], "tags": MOTORWAY},
+        {"type": "relation", "id": 7, "members": [member], "tags": area},
+    ]  # fmt: skip
+    path = tmp_path / "answer.json"
+    path.write_text(json.dumps({"elements": elements}))
+    net = read_overpass_cache(path, ["motorway"], TruckRules())
+    file = read_osm(write(tmp_path, NODES, WAYS))
+    assert [(s.name, s.offers, s.capacity, s.tags) for s in net.stops()] == [
+        (s.name, s.offers, s.capacity, s.tags) for s in file.stops()
+    ]
+    for reason in ("fuel places that say nothing of trucks", "service and rest areas"):
+        assert net.report()[reason] == file.report()[reason] > 0

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from ...atomic_file import whole_file
 from ...errors import MapDataError, NetworkError
 from ...output_paths import SAVED
-from ..columns import COLUMNS, Per, columns_per
+from ..columns import COLUMNS, POINT_KINDS, Per, columns_per
 from ..load_report import LoadReport, Source
 from ..road_network import NamedPoints, RoadNetwork, checked_network
 from ..texts import TextTable
@@ -35,6 +35,9 @@ __all__ = ["FORMAT_VERSION", "MAGIC", "open_network", "save_network"]
 
 ALIGNMENT = 64
 BEFORE_HEADER = len(MAGIC) + 1 + 8 + 32
+
+KINDS_OF_3 = ("services", "rest_area", "city", "town", "village")
+"""Kinds of points that version 3 knew, in the order of its codes."""
 
 SOON_HASHED_BYTES = 16 * 2**20
 """Up to this size a file is hashed whenever it is opened: about 10 ms."""
@@ -222,7 +225,12 @@ def _later_columns(arrays: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
     ]
     if not missing:
         raise ValueError("it holds more than its version knows")
-    return {column.name: column.filled(counts[column.per]) for column in missing}
+    added = {column.name: column.filled(counts[column.per]) for column in missing}
+    kinds = arrays["points.kind"]
+    if len(kinds) and kinds.max() >= len(KINDS_OF_3):
+        raise ValueError(f"points.kind points beyond its {len(KINDS_OF_3)} entries")
+    own = np.array([POINT_KINDS.index(kind) for kind in KINDS_OF_3], np.uint8)
+    return {**added, "points.kind": own[kinds]}
 
 
 def _network(arrays: dict[str, Any], header: dict[str, Any], file: Path) -> RoadNetwork:

@@ -6,7 +6,7 @@ that they are wanted. Where there is such a relation, the file is read once more
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..stops.features import STOP_TAGS
 from .file_kind import osm_file
 
-__all__ = ["area_outlines"]
+__all__ = ["area_outlines", "areas_of"]
 
 STOPS = frozenset(f"{key}={value}" for key, value in STOP_TAGS)
 AREAS = frozenset({"type=multipolygon", "type=boundary", "type=site"})
@@ -43,12 +43,32 @@ def area_outlines(path: Path, relations: Sequence[Relation]) -> tuple[Area, ...]
         Id, tags and points (k, 2) of its largest ring; of an area that is not whole all points
         that are there, and none where none is.
     """
+    return areas_of(relations, lambda wanted: _ways(path, wanted))
+
+
+def areas_of(
+    relations: Sequence[Relation], ways_of: Callable[[set[int]], Mapping[int, Floats]]
+) -> tuple[Area, ...]:
+    """Return the outline of each area among relations.
+
+    Parameters
+    ----------
+    relations : sequence of tuple
+        Id, tags as OPL text and members (kind, id, role) of each.
+    ways_of : callable
+        Returns the points (k, 2) of ways by their ids; asked only if there is an area.
+
+    Returns
+    -------
+    tuple of tuple[int, str, ndarray]
+        As `area_outlines`.
+    """
     wanted = [
         (number, tags, [ref for kind, ref, role in members if kind == "w" and role != "inner"])
         for number, tags, members in relations
         if not STOPS.isdisjoint(tags.split(",")) and not AREAS.isdisjoint(tags.split(","))
     ]
-    ways = _ways(path, {ref for _, _, refs in wanted for ref in refs}) if wanted else {}
+    ways = ways_of({ref for _, _, refs in wanted for ref in refs}) if wanted else {}
     return tuple(
         (number, tags, _outline([ways[ref] for ref in refs if ref in ways]))
         for number, tags, refs in wanted

@@ -25,7 +25,7 @@ from ...errors import MapDataError
 from ...network.load_report import Source
 from ...vehicles.access import BARRIERS, CHAIN
 from ..file_identity import osm_source
-from ..stops.features import STOP_TAGS, TRUCK_KEYS, TRUCK_WORDS
+from ..stops.features import STOP_TAGS, is_for_others
 from .areas import area_outlines
 from .file_kind import osm_file
 from .josm import deleted_ways, new_node_positions, xml_items
@@ -270,18 +270,18 @@ class _Collector:
         self.heights: dict[int, str] = {}
 
     def node(self, node: Any) -> None:
-        if not _is_for_others(node.tags):
+        if not is_for_others(node.tags):
             self._add_node(node)
 
     def relation(self, relation: Any) -> None:
-        if not _is_for_others(relation.tags):
+        if not is_for_others(relation.tags):
             self._add_relation(relation)
 
     def way(self, way: Any) -> None:
         if way.deleted:
             self.deleted.add(way.id)
             return
-        if _is_for_others(way.tags):
+        if is_for_others(way.tags):
             return
         if self.deleted:
             self.deleted.discard(way.id)
@@ -316,17 +316,6 @@ class _Heights:
         elif self._heights:
             # A later version of a node may have lost it.
             self._heights.pop(node.id, None)
-
-
-def _is_for_others(tags: Any) -> bool:
-    """Tell a parking that does not speak of trucks, for maps hold them by the hundred thousand."""
-    return (
-        tags.get("amenity") == "parking"
-        and "highway" not in tags
-        and not any(key in tags for key in TRUCK_KEYS)
-        and tags.get("access") not in TRUCK_WORDS
-        and tags.get("parking") not in TRUCK_WORDS
-    )
 
 
 def _off_the_globe(location: Any) -> bool:

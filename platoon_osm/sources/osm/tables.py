@@ -15,6 +15,8 @@ import numpy as np
 
 from ...errors import MapDataError
 from ...network.load_report import Source
+from ..stops.features import is_for_others
+from .areas import areas_of
 from .raw_osm import NODE_TAGS, TURN_TAGS, RawMap
 
 __all__ = ["MapNode", "MapTurn", "MapWay", "raw_map"]
@@ -71,7 +73,7 @@ def raw_map(
     nodes : mapping of int to MapNode
         By id; one that a way names may be missing.
     turns : iterable of MapTurn
-        Relations; those that forbid no turn are left out.
+        Relations; those that forbid no turn and are no area where trucks stop are left out.
     classes : collection of str
         Values of `highway` to keep, besides ferries and places.
     left_out : mapping of str to int
@@ -88,12 +90,13 @@ def raw_map(
         No road of these classes; the message names those there are.
     """
     counts, found = Counter(left_out), Counter[str]()
-    kept = []
+    kept: list[MapWay] = []
+    ways, turns = list(ways), list(turns)
     for way in ways:
         highway = way.tags.get("highway", "")
         found.update([highway] if highway else [])
         of_wish = highway in classes or way.tags.get("route") == "ferry"
-        if of_wish or any((key, value) in NODE_TAGS for key, value in way.tags.items()):
+        if of_wish or _is_wanted(way.tags):
             kept.append(way)
         elif highway:
             counts["ways left out: other road class"] += 1
@@ -119,17 +122,31 @@ def raw_map(
         nodes=tuple(
             (number, _text(node.tags), node.lon, node.lat)
             for number, node in nodes.items()
-            if any((key, value) in NODE_TAGS for key, value in node.tags.items())
+            if _is_wanted(node.tags)
         ),
         turns=tuple(
             (turn.number, _text(turn.tags), turn.members)
             for turn in turns
             if ("type", turn.tags.get("type", "")) in TURN_TAGS
         ),
+        areas=areas_of(
+            [(turn.number, _text(turn.tags), turn.members) for turn in turns],
+            lambda wanted: {
+                way.number: np.array(
+                    [nodes[node][:2] for node in way.nodes if node in nodes], np.float64
+                ).reshape(-1, 2)
+                for way in ways
+                if way.number in wanted
+            },
+        ),
         left_out=dict(counts),
         height_of=np.array(high, np.int64),
         heights=tuple(nodes[number].tags["ele"] for number in high),
     )
+
+
+def _is_wanted(tags: Tags) -> bool:
+    return not is_for_others(tags) and any(pair in NODE_TAGS for pair in tags.items())
 
 
 def _text(tags: Tags) -> str:

@@ -51,11 +51,12 @@ def read_overpass_cache(
         nodes = {
             _id(element): _node(file, element) for element in elements if element["type"] == "node"
         }
+        relations = [element for element in elements if element["type"] == "relation"]
         ways = [
             MapWay(_id(way), [int(node) for node in way["nodes"]], _tags(way))
-            for way in _with_nodes([one for one in elements if one["type"] == "way"], nodes)
+            for way in _with_nodes(_ways(elements, relations), nodes)
         ]
-        turns = [_turn(element) for element in elements if element["type"] == "relation"]
+        turns = [_turn(relation) for relation in relations]
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise MapDataError(
             f"{file}: an element lacks its id, type, nodes or coordinates ({error!r:.60}); "
@@ -119,6 +120,17 @@ def _last(elements: list[Any]) -> list[Any]:
 def _version(element: Mapping[str, Any]) -> float:
     """Return the version of an element; one that tells none is as new as any."""
     return float(element.get("version", math.inf))
+
+
+def _ways(elements: list[Any], relations: list[Any]) -> list[Any]:
+    """Return the ways, with those that "out geom" tells of among the members of relations alone."""
+    found = {_id(one): one for one in elements if one["type"] == "way"}
+    for relation in relations:
+        for member in relation.get("members", ()):
+            if member["type"] == "way" and isinstance(member.get("geometry"), list):
+                own = {"type": "way", "id": member["ref"], "geometry": member["geometry"]}
+                found.setdefault(int(member["ref"]), own)
+    return list(found.values())
 
 
 def _with_nodes(ways: list[Any], nodes: dict[int, MapNode]) -> list[Any]:

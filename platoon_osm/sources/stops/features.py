@@ -13,12 +13,20 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from ...network.stop_tags import FUELS, NO, YES, kilowatts, stay_s
 from ...vehicles.access import CHAIN, VALUES, Way, read_value
 from ...vehicles.limits import LIMITS
 
-__all__ = ["STOP_TAGS", "TRUCK_KEYS", "StopReading", "is_stop_tag", "read_stop"]
+__all__ = [
+    "STOP_TAGS",
+    "TRUCK_KEYS",
+    "StopReading",
+    "is_for_others",
+    "is_stop_tag",
+    "read_stop",
+]
 
 Tags = Mapping[str, str]
 
@@ -87,6 +95,28 @@ class StopReading:
     tags: Tags
     capacity: int
     trucks: bool
+
+
+def is_for_others(tags: Any) -> bool:
+    """Tell a parking that does not speak of trucks, for maps hold them by the hundred thousand.
+
+    Parameters
+    ----------
+    tags : mapping of str to str, or osmium.osm.TagList
+        Of anything.
+
+    Returns
+    -------
+    bool
+        Whether it is such a parking.
+    """
+    return (
+        tags.get("amenity") == "parking"
+        and "highway" not in tags
+        and not any(key in tags for key in TRUCK_KEYS)
+        and tags.get("access") not in TRUCK_WORDS
+        and tags.get("parking") not in TRUCK_WORDS
+    )
 
 
 def is_stop_tag(key: str) -> bool:

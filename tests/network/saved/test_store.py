@@ -143,8 +143,10 @@ def test_another_version(saved):
     assert_refused(saved, "saved in format 1", f"reads 3 and {FORMAT_VERSION}", "prepare")
 
 
-def test_a_file_of_the_version_before_opens_without_what_it_lacks(saved):
-    later = ("climb_m", "descent_m", "graded_m", "toll_free_m")
+def test_a_file_of_the_version_before_opens_without_what_it_lacks(saved, monkeypatch):
+    climbs = ("climb_m", "descent_m", "graded_m", "toll_free_m")
+    later = (*climbs, "points.capacity", "points.tags")
+    monkeypatch.setattr(store, "SOON_HASHED_BYTES", 100)
     net = pickle.loads(pickle.dumps(open_network(saved)))  # a copy: the file changes below it
 
     def older(header):
@@ -158,9 +160,13 @@ def test_a_file_of_the_version_before_opens_without_what_it_lacks(saved):
     content = bytearray(saved.read_bytes())
     content[len(MAGIC)] = 3
     saved.write_bytes(content)
+    # Kinds of points had other codes then: "city", "services", "town", "town".
+    change_array(saved, "points.kind", lambda _: np.array([2, 0, 3, 3], np.uint8))
     assert open_network(saved) == net
-    for name in later:
+    for name in climbs:
         assert getattr(open_network(saved), name).tolist() == [0.0] * net.m
+    change_array(saved, "points.kind", lambda values: values + 3)
+    assert_refused(saved, "points.kind points beyond its 5 entries")
 
 
 def test_a_file_of_the_version_before_has_no_columns_of_today(saved):
