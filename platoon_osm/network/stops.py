@@ -161,6 +161,8 @@ def tunnels_along(
 
 def _along(net: RoadNetwork, edges: Iterable[int], span: tuple[float, float]) -> list[PassedStop]:
     ids = checked_edges(list(edges), net.m).tolist()
+    if not (net.points.kind < POINT_KINDS.index("city")).any():
+        return []
     stops = net.attached(Stops)
     begin, end = span
     found: list[PassedStop] = []

@@ -42,6 +42,7 @@ from .tight_limits import tight_limits
 from .timing.bans import with_hours
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
+from .tunnels import passed_tunnels
 from .writing import written_plan
 
 __all__ = ["plan_joint", "solve"]
@@ -187,8 +188,8 @@ def solve(problem: Problem) -> Plan:
 
 
 def _with_limits(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Plan:
-    """Remark what vehicles pass with little room."""
-    remarks = tuple(tight_limits(plan, net, vehicles))
+    """Remark what vehicles pass with little room, and tunnels with a category."""
+    remarks = (*tight_limits(plan, net, vehicles), *passed_tunnels(plan, net, vehicles))
     return replace(plan, remarks=(*plan.remarks, *remarks)) if remarks else plan
 
 
