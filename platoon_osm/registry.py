@@ -15,7 +15,7 @@ from typing import Protocol, TypeVar
 
 from .errors import ScenarioError, brief
 
-__all__ = ["Named", "Registry"]
+__all__ = ["Named", "Registry", "looked_up"]
 
 
 class Named(Protocol):
@@ -28,6 +28,41 @@ class Named(Protocol):
 
 
 Item = TypeVar("Item", bound=Named)
+Thing = TypeVar("Thing")
+
+COMPARED = 60
+"""Letters of an unknown name that are compared with others: longer texts take too long."""
+
+
+def looked_up(kind: str, name: object, items: Mapping[str, Thing]) -> Thing:
+    """Return the item of a name.
+
+    Parameters
+    ----------
+    kind : str
+        What one item is, for messages.
+    name : object
+        A name; anything else is refused in the same words.
+    items : mapping of str to Thing
+        All there are.
+
+    Returns
+    -------
+    Thing
+        The one that has it.
+
+    Raises
+    ------
+    ScenarioError
+        No item has it; the message names the nearest, and all there are.
+    """
+    if isinstance(name, str) and name in items:
+        return items[name]
+    near = []
+    if isinstance(name, str):
+        near = difflib.get_close_matches(name[:COMPARED], items, 1, 0.5)
+    hint = f"did you mean {near[0]!r}? " if near else ""
+    raise ScenarioError(f"{kind} {brief(name)} is unknown; {hint}use one of {', '.join(items)}")
 
 
 class Registry(Mapping[str, Item]):
@@ -115,13 +150,7 @@ class Registry(Mapping[str, Item]):
         ScenarioError
             No item has it; the message names the nearest, and all there are.
         """
-        if isinstance(name, str) and name in self._items:
-            return self._items[name]
-        near = difflib.get_close_matches(name, self._items, 1, 0.5) if isinstance(name, str) else []
-        hint = f"did you mean {near[0]!r}? " if near else ""
-        raise ScenarioError(
-            f"{self.kind} {brief(name)} is unknown; {hint}use one of {', '.join(self._items)}"
-        )
+        return looked_up(self.kind, name, self._items)
 
     def __getitem__(self, name: str) -> Item:
         return self._items[name]

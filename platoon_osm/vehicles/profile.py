@@ -11,13 +11,17 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
+from types import MappingProxyType
 from typing import Any
 
 from ..errors import ScenarioError, brief
 from ..kinds import is_number
-from ..registry import Registry
+from ..registry import Registry, looked_up
 
-__all__ = ["DEFAULT_VEHICLE", "LIGHT_T", "TUNNEL_CODES", "VEHICLES", "Vehicle", "vehicle_of"]
+__all__ = [
+    "DEFAULT_VEHICLE", "LIGHT_T", "NO_VEHICLES", "TUNNEL_CODES", "VEHICLES", "Vehicle",
+    "vehicle_of",
+]  # fmt: skip
 
 LIGHT_T = 3.5
 """Permitted mass up to which a goods vehicle is no heavy one (N1, Regulation (EU) 2018/858)."""
@@ -215,17 +219,23 @@ VEHICLES: Registry[Vehicle] = Registry(
 DEFAULT_VEHICLE = VEHICLES["eu-40t"]
 """What drives where nothing else is said."""
 
+NO_VEHICLES: Mapping[str, Vehicle] = MappingProxyType({})
 
-def vehicle_of(value: Any, where: str = "vehicle") -> Vehicle:
+
+def vehicle_of(
+    value: Any, where: str = "vehicle", own: Mapping[str, Vehicle] = NO_VEHICLES
+) -> Vehicle:
     """Return a vehicle from what a user gives.
 
     Parameters
     ----------
     value : str, Vehicle, mapping or None
-        A name of `VEHICLES`; a vehicle; fields by name, `base` being the vehicle that has the
-        others; or None for the default.
+        A name of `VEHICLES` or of `own`; a vehicle; fields by name, `base` being the name of the
+        vehicle that has the others; or None for the default.
     where : str
         Whose it is, for messages.
+    own : mapping of str to Vehicle
+        Vehicles by names that mean them here, before those of `VEHICLES`.
 
     Returns
     -------
@@ -241,15 +251,18 @@ def vehicle_of(value: Any, where: str = "vehicle") -> Vehicle:
         return DEFAULT_VEHICLE
     if isinstance(value, Vehicle):
         return value
+    known = {**VEHICLES, **own}
     try:
         if isinstance(value, str):
-            return VEHICLES.find(value)
+            return looked_up(VEHICLES.kind, value, known)
         if not isinstance(value, Mapping):
             raise ScenarioError(
-                f"{brief(value)} is no vehicle; give a name ({', '.join(VEHICLES)}) or a table"
+                f"{brief(value)} is no vehicle; give a name ({', '.join(known)}) or a table"
             )
         given = dict(value)
-        base = VEHICLES.find(given.pop("base", DEFAULT_VEHICLE.name))
+        base = DEFAULT_VEHICLE
+        if "base" in given:
+            base = looked_up(VEHICLES.kind, given.pop("base"), known)
         for key in given:
             if key not in KEYS:
                 raise ScenarioError(f"a vehicle has no {brief(key)}; use base, {', '.join(KEYS)}")

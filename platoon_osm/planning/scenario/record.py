@@ -16,12 +16,11 @@ from ...network.access import STANDARD_ACCESS, Access
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.trip import Trip
-from ...vehicles.profile import Vehicle
+from ...vehicles.profile import Vehicle, vehicle_of
 from ..ends import located
 from ..joint import plan_joint
 from ..problem import Problem
 from .keys import told
-from .profiles import profile_of
 
 __all__ = ["ACCESS_LIMIT", "Scenario"]
 
@@ -188,5 +187,5 @@ class Scenario:
     def _rules(self) -> dict[str, Any]:
         rules = {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
         if "profile" in rules:
-            rules["profile"] = profile_of("profile", rules["profile"], self.profiles)
+            rules["profile"] = vehicle_of(rules["profile"], "profile", self.profiles)
         return rules

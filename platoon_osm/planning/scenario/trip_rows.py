@@ -11,17 +11,16 @@ from ...kinds import is_number, is_whole
 from ...network.coordinate_text import coordinates_in
 from ...network.location import Place
 from ...plans.trip import TIMES, Trip
-from ...vehicles.profile import Vehicle
+from ...vehicles.profile import NO_VEHICLES, Vehicle, vehicle_of
 from .clock_texts import moment
 from .keys import FLEXIBILITY, PLACES, PROFILE, TRIP_KEYS, known, text_of
-from .profiles import NO_PROFILES, profile_of
 
 __all__ = ["trip_of"]
 
 PLACE_KEYS = ("at", "osmid", "label")
 
 
-def trip_of(where: str, row: Any, profiles: Mapping[str, Vehicle] = NO_PROFILES) -> Trip:
+def trip_of(where: str, row: Any, profiles: Mapping[str, Vehicle] = NO_VEHICLES) -> Trip:
     """Return the trip that a row tells.
 
     Parameters
@@ -55,7 +54,7 @@ def trip_of(where: str, row: Any, profiles: Mapping[str, Vehicle] = NO_PROFILES)
     if FLEXIBILITY in row:
         more[FLEXIBILITY] = _minutes(f"{where}: {FLEXIBILITY}", row[FLEXIBILITY])
     if PROFILE in row:
-        more[PROFILE] = profile_of(f"{where}: {PROFILE}", row[PROFILE], profiles)
+        more[PROFILE] = vehicle_of(row[PROFILE], f"{where}: {PROFILE}", profiles)
     try:
         return Trip(vehicle, origin, destination, **more)
     except PlatoonError as error:

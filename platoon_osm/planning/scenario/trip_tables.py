@@ -8,11 +8,10 @@ from pathlib import Path
 
 from ...errors import PlatoonError, ScenarioError, brief
 from ...plans.trip import Trip, check_one_clock
-from ...vehicles.profile import Vehicle
+from ...vehicles.profile import NO_VEHICLES, Vehicle
 from .cells import row_of
 from .csv_table import read_csv
 from .geopackage_table import read_geopackage
-from .profiles import NO_PROFILES
 from .rows import Row
 from .text_file import MOST_BYTES, beginning_of, kind_by_content, path_of
 from .trip_rows import trip_of
@@ -34,7 +33,7 @@ OTHER_FILES = {
 def read_trips(
     path: str | os.PathLike[str],
     sheet: str | None = None,
-    profiles: Mapping[str, Vehicle] = NO_PROFILES,
+    profiles: Mapping[str, Vehicle] = NO_VEHICLES,
 ) -> list[Trip]:
     """Read trips from a table.
 
