@@ -189,9 +189,7 @@ class Fleet:
         ndarray of float, (m,)
             Seconds.
         """
-        assert self._drive_s is not None
-        own = list({id(one): one for one in (self._drive_s[k] for k in company)}.values())
-        return own[0] if len(own) == 1 else np.maximum.reduce(own)
+        return _slowest(self._paces(company))
 
     def route_s(self, company: Sequence[int], edges: Sequence[int] | Edges) -> float:
         """Return how long a company takes for some edges.
@@ -208,12 +206,13 @@ class Fleet:
         float
             Seconds.
         """
-        assert self._drive_s is not None
         ids = np.asarray(edges, np.int64)
-        own = {id(one): one for one in (self._drive_s[k] for k in company)}
-        if len(own) == 1:
-            return float(next(iter(own.values()))[ids].sum())
-        return float(np.maximum.reduce([one[ids] for one in own.values()]).sum())
+        return float(_slowest([pace[ids] for pace in self._paces(company)]).sum())
+
+    def _paces(self, company: Sequence[int]) -> list[Floats]:
+        """Return how long the vehicles of a company take for every edge, each pace once."""
+        assert self._drive_s is not None
+        return list({id(one): one for one in (self._drive_s[k] for k in company)}.values())
 
     def least_by_position(self) -> float:
         """Return the least ratio of what a member may really pay to what is planned with.
@@ -225,3 +224,7 @@ class Fleet:
         """
         own = {id(one): one for one in self._weights}
         return min(one.least_by_position(len(self._weights)) for one in own.values())
+
+
+def _slowest(times: list[Floats]) -> Floats:
+    return times[0] if len(times) == 1 else np.maximum.reduce(times)
