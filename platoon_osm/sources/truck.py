@@ -7,12 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..network.restrictions import encode
-from ..vehicles.conditions import apply, has_conditions
+from ..vehicles.conditions import CONDITIONAL, apply, has_conditions
 from ..vehicles.profile import DEFAULT_VEHICLE, VEHICLES
 from .country.rules import TruckRules
 from .speeds.of_road import car_kmh, is_speed_tag, truck_kmh
 from .way_sides import (
+    AGAINST,
     CHANGING,
+    FALSE,
+    TRUE,
     Layers,
     for_side,
     is_restriction,
@@ -29,7 +32,6 @@ __all__ = [
 LIGHT = VEHICLES["van-3.5t"]
 """Whose speed is that of light vehicles where it depends on mass."""
 
-NO = frozenset({"no", "false", "0"})
 TOLL_KEYS = ("toll:hgv", "toll:N3", "toll")
 """The first that is there says whether a heavy truck pays."""
 
@@ -181,8 +183,8 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
         direction=direction,
         allowed=any(usable),
         speed_kmh=ways[first][0],
-        toll=toll not in NO and toll != "",
-        toll_free=toll in NO,
+        toll=toll not in FALSE and toll != "",
+        toll_free=toll in FALSE,
         remarks=(*remarks, *counts),
         backward_kmh=ways[last][0],
         posted_kmh=ways[first][1],
@@ -237,7 +239,7 @@ def is_driving_tag(key: str) -> bool:
         key in DRIVING_TAGS
         or key.startswith("oneway")
         or is_speed_tag(key)
-        or key.endswith(":conditional")
+        or key.endswith(CONDITIONAL)
         or is_restriction(key)
         or bool(unread([key]))
     )
@@ -245,11 +247,11 @@ def is_driving_tag(key: str) -> bool:
 
 def _direction(tags: Mapping[str, str], remarks: list[str]) -> int:
     value = tags.get("oneway", "").strip().lower()
-    if value in {"yes", "true", "1"}:
+    if value in TRUE:
         return FORWARD
-    if value in {"-1", "reverse"}:
+    if value in AGAINST:
         return BACKWARD
-    if value in {"no", "false", "0"}:
+    if value in FALSE:
         return BOTH
     if value and value not in CHANGING:
         remarks.append("oneway not understood")

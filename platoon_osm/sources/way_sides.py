@@ -27,7 +27,10 @@ from ..vehicles.limits import LIMITS, read_limit
 from ..vehicles.profile import Vehicle
 
 __all__ = [
+    "AGAINST",
     "CHANGING",
+    "FALSE",
+    "TRUE",
     "Layers",
     "for_side",
     "is_restriction",
@@ -45,6 +48,8 @@ MANY = 10_000
 TRUE = frozenset({"yes", "true", "1"})
 AGAINST = frozenset({"-1", "reverse"})
 FALSE = frozenset({"no", "false", "0"})
+"""Values of `oneway`, and of other tags that are or are not so."""
+
 CHANGING = frozenset({"reversible", "alternating", "alternate"})
 ONLY_SOME = ("oneway:hgv", "oneway:goods", "oneway:motor_vehicle", "oneway:vehicle")
 """Directions for some vehicles alone."""

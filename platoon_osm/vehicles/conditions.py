@@ -286,9 +286,7 @@ def _rule(text: str) -> Rule:
 def _joined(condition: str) -> Iterator[str]:
     """Yield what AND joins outside of brackets."""
     begin = 0
-    for found in re.finditer(
-        r"\s+AND\s+|\s*&&\s*|(?<=\))\s*AND\s*(?=\()", condition, re.IGNORECASE
-    ):
+    for found in AND.finditer(condition):
         if _depth(condition[: found.start()]) == 0:
             yield condition[begin : found.start()]
             begin = found.end()

@@ -8,8 +8,8 @@ from typing import Any
 from ...network.road_network import ROAD_CLASSES
 from ..road_choice import RoadChoice
 from ..speeds.texts import read_speed_kmh
-from ..truck import NO, TOLL_KEYS, is_driving_tag
-from ..way_sides import is_restriction
+from ..truck import TOLL_KEYS, is_driving_tag
+from ..way_sides import FALSE, is_restriction
 from .graph_arrays import Attributes
 from .graph_values import flag, parts
 
@@ -108,7 +108,7 @@ def _one_value(key: str, values: list[str], choice: RoadChoice) -> str:
         return ";".join(values)
     if key in TOLL_KEYS:
         choice.counts["edges with toll on a part, taken for the whole"] += 1
-        return next((text for text in values if text not in NO), values[0])
+        return next((text for text in values if text not in FALSE), values[0])
     if key.startswith("maxspeed") and not key.endswith(":conditional"):
         choice.counts["edges with several speed limits, the lowest taken"] += 1
         known = [text for text in values if read_speed_kmh(text) is not None]

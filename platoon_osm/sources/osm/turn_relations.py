@@ -21,13 +21,13 @@ from numpy.typing import NDArray
 from ...network.preparing.turns import ForbiddenTurn
 from ...network.restrictions import Layer
 from ...vehicles.access import CHAIN
+from ...vehicles.conditions import CONDITIONAL
 from .raw_osm import RawMap, TagReader
 
 __all__ = ["Segments", "forbidden_turns"]
 
 Index = NDArray[np.int64]
 
-CONDITIONAL = ":conditional"
 OLD = ("day_on", "day_off", "hour_on", "hour_off", "date_on", "date_off")
 OTHERS = frozenset(
     {"psv", "bus", "bicycle", "motorcar", "taxi", "emergency", "motorcycle", "moped", "caravan",

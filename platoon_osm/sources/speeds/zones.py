@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..country.law import MPH_IN_KMH, law_of
+from ..way_sides import AGAINST, TRUE
 
 __all__ = ["ZONE_KEYS", "Zone", "kind_of_road", "zone_of_tags", "zone_of_text"]
 
@@ -163,6 +164,6 @@ def kind_of_road(tags: Mapping[str, str], zone: Zone | None) -> str:
         return "dual"
     if zone is not None and zone.kind == "dual":
         return "dual"
-    one_way = tags.get("oneway", "").strip().lower() in {"yes", "true", "1", "-1", "reverse"}
+    one_way = tags.get("oneway", "").strip().lower() in TRUE | AGAINST
     one_way = one_way and tags.get("dual_carriageway") != "no"
     return "dual" if one_way and highway in {"trunk", "trunk_link"} else "rural"
