@@ -7,16 +7,21 @@ from numpy.typing import NDArray
 
 from .topology import Graph
 
-__all__ = ["connected_share", "strong_components"]
+__all__ = ["MOSTLY_CONNECTED", "connected_share", "strong_components"]
+
+MOSTLY_CONNECTED = 0.5
+"""Share of the road that part 0 must hold to decide where trips may start and end."""
 
 
-def strong_components(graph: Graph) -> NDArray[np.int32]:
+def strong_components(graph: Graph, among: NDArray[np.bool_] | None = None) -> NDArray[np.int32]:
     """Return the strongly connected part of each node; part 0 has the most road inside.
 
     Parameters
     ----------
     graph : Graph
         The network.
+    among : ndarray of bool, (m,), optional
+        Edges that there are; by default all.
 
     Returns
     -------
@@ -26,12 +31,14 @@ def strong_components(graph: Graph) -> NDArray[np.int32]:
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import connected_components
 
-    matrix = csr_array(
-        (np.ones(graph.m, np.int8), graph.head, graph.first_out), shape=(graph.n, graph.n)
-    )
+    tail, head, first, length_m = graph.tail, graph.head, graph.first_out, graph.length_m
+    if among is not None:
+        tail, head, length_m = tail[among], head[among], length_m[among]
+        first = np.searchsorted(tail, np.arange(graph.n + 1)).astype(np.int32)
+    matrix = csr_array((np.ones(len(head), np.int8), head, first), shape=(graph.n, graph.n))
     count, label = connected_components(matrix, directed=True, connection="strong")
-    inside = label[graph.tail] == label[graph.head]
-    km = np.bincount(label[graph.tail[inside]], graph.length_m[inside], minlength=count)
+    inside = label[tail] == label[head]
+    km = np.bincount(label[tail[inside]], length_m[inside], minlength=count)
     rank = np.empty(count, np.int32)
     rank[np.argsort(-km, kind="stable")] = np.arange(count)
     part: NDArray[np.int32] = rank[label]

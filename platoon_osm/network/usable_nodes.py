@@ -5,13 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .components import MOSTLY_CONNECTED, connected_share, strong_components
 from .location import Role
 from .road_network import RoadNetwork
 
 __all__ = ["UsableNodes"]
-
-MOSTLY_CONNECTED = 0.5
-"""Share of the road that the main component must hold to decide where trips may start and end."""
 
 
 class UsableNodes:
@@ -36,13 +34,9 @@ class UsableNodes:
         self._open = np.ones(net.m, bool) if closed is None else ~closed
         self._ends = net.tail, net.head
         self._tail, self._head = net.tail[self._open], net.head[self._open]
-        length = net.length_m[self._open]
-        main: NDArray[np.bool_] = (
-            net.strong_component() if closed is None else self._parts(length)
-        ) == 0
-        inside = float(length[main[self._tail] & main[self._head]].sum())
-        self._main = main
-        self._mostly = bool(inside) and inside >= MOSTLY_CONNECTED * float(length.sum())
+        part = net.strong_component() if closed is None else strong_components(net, self._open)
+        self._main: NDArray[np.bool_] = part == 0
+        self._mostly = connected_share(net, part, self._open) >= MOSTLY_CONNECTED
         self._by_role: dict[Role, NDArray[np.bool_]] = {}
 
     def of(self, role: Role) -> NDArray[np.bool_]:
@@ -83,19 +77,6 @@ class UsableNodes:
         if role == "origin":
             return self._open & fits[head]
         return self._open & (fits[tail] if role == "destination" else fits[tail] | fits[head])
-
-    def _parts(self, length_m: NDArray[np.float64]) -> NDArray[np.int64]:
-        """Return the strongly connected part of each node, 0 for that with the most open road."""
-        from scipy.sparse import csr_array
-        from scipy.sparse.csgraph import connected_components
-
-        ones = np.ones(len(self._tail), np.int8)
-        graph = csr_array((ones, (self._tail, self._head)), shape=(self._n, self._n))
-        count, part = connected_components(graph, connection="strong")
-        same = part[self._tail] == part[self._head]
-        metres = np.bincount(part[self._tail][same], length_m[same], minlength=count)
-        found: NDArray[np.int64] = np.where(part == np.argmax(metres), 0, 1)
-        return found
 
     def _found(self, role: Role) -> NDArray[np.bool_]:
         if not self._mostly:

@@ -14,13 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..network.road_network import RoadNetwork
+from ..network.usable_nodes import UsableNodes
 
 __all__ = ["EndZones"]
 
 Marks = NDArray[np.bool_]
-
-MOSTLY_CONNECTED = 0.5
-"""Share of the open road that must hang together to tell what is behind a zone."""
 
 
 class EndZones:
@@ -42,7 +40,9 @@ class EndZones:
 
         self._net, self._ends, self._closed = net, ends, closed
         through = ~ends & ~closed
-        self._leaves, self._arrives = _public(net, through)
+        # Whence the open network is reached without a zone, and what it reaches without one.
+        public = UsableNodes(net, ~through)
+        self._leaves, self._arrives = public.of("origin"), public.of("destination")
         # Open roads that the rest neither reaches nor is reached from lie behind the zone.
         behind = through & ~(self._leaves[net.head] | self._arrives[net.tail])
         inside = ends | behind
@@ -67,32 +67,3 @@ class EndZones:
         inside += [int(self._zone[v]) for v in destinations if not self._arrives[v]]
         others: Marks = self._ends & ~np.isin(self._zone[self._net.tail], inside)
         return self._closed | others
-
-
-def _public(net: RoadNetwork, through: Marks) -> tuple[Marks, Marks]:
-    """Mark the nodes from which the open network is reached without a zone, and those it reaches.
-
-    The open network is the largest part of the open roads that is strongly connected; where most
-    of them are in none, as on one carriageway, any open road will do.
-    """
-    from scipy.sparse import csr_array
-    from scipy.sparse.csgraph import breadth_first_order, connected_components
-
-    tail, head = net.tail[through], net.head[through]
-    ones = np.ones(len(tail), np.int8)
-    graph = csr_array((ones, (tail, head)), shape=(net.n, net.n))
-    _, part = connected_components(graph, connection="strong")
-    same = part[tail] == part[head]
-    metres = np.bincount(part[tail][same], net.length_m[through][same], part.max(initial=0) + 1)
-    total = float(net.length_m[through].sum())
-    if not total or metres.max(initial=0.0) < MOSTLY_CONNECTED * total:
-        leaves, arrives = np.zeros(net.n, bool), np.zeros(net.n, bool)
-        leaves[tail], arrives[head] = True, True
-        return leaves, arrives
-    start = int(np.flatnonzero(part == np.argmax(metres))[0])
-    reached = []
-    for matrix in (graph.T.tocsr(), graph):
-        seen = np.zeros(net.n, bool)
-        seen[breadth_first_order(matrix, start, return_predecessors=False)] = True
-        reached.append(seen)
-    return reached[0], reached[1]
