@@ -25,7 +25,6 @@ from platoon_osm.planning.timing.bans import with_hours
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.planning.writing import written_plan
 from platoon_osm.search.trees import Trees
-from platoon_osm.vehicles.profile import DEFAULT_VEHICLE
 
 
 def plan_from_parts(problem):
@@ -80,7 +79,7 @@ def plan_from_parts(problem):
 
     # 9. When everyone drives, if a trip names a time, and what hours and bans make of that; of a
     #    plan without times, what they leave open. Then limits that are passed with little room.
-    vehicles = [problem.profile_of(trip) or DEFAULT_VEHICLE for trip in problem.trips]
+    vehicles = [problem.vehicle_of(trip) for trip in problem.trips]
     patience_s = problem.patience_min * 60
     plan = with_times(plan, problem.trips, patience_s)
     plan = with_hours(plan, net, problem.trips, vehicles, patience_s)

@@ -16,7 +16,7 @@ from ..plans.stretches import linked
 from ..plans.text_table import listed
 from ..vehicles.profile import Vehicle
 from .answers import Answer
-from .best import Best, best_answer
+from .best import Best
 from .company.draft import Company, Draft
 from .question import Question
 from .reasons import reasons_alone
@@ -32,7 +32,7 @@ Finish = Callable[[Best, Sequence[str]], Plan]
 
 
 def lawful_company(
-    question: Question, plan: Plan, vehicles: Sequence[Vehicle], finish: Finish
+    question: Question, best: Best, plan: Plan, vehicles: Sequence[Vehicle], finish: Finish
 ) -> Plan:
     """Return a plan whose company makes nobody break a closing who could keep it alone.
 
@@ -40,8 +40,10 @@ def lawful_company(
     ----------
     question : Question
         What is asked.
+    best : Best
+        The answer to it.
     plan : Plan
-        The answer to it, with its times.
+        What became of that answer, with its times.
     vehicles : sequence of Vehicle, (N,)
         What drives each trip.
     finish : callable
@@ -62,7 +64,6 @@ def lawful_company(
     harmed = {k for group in groups if len(group) > 1 and broken & set(group) for k in group}
     if not harmed:
         return plan
-    best = best_answer(question)
     never = breaking(finish(*_apart(question, best, harmed)))
     could = broken - never
     hurt = {k for group in groups if could & set(group) for k in group}

@@ -13,7 +13,7 @@ from ..network.road_network import RoadNetwork
 from ..vehicles.access import Way
 from ..vehicles.closures import Closures
 from ..vehicles.pace import drive_times
-from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle
+from ..vehicles.profile import Vehicle
 from .end_zones import EndZones
 from .fleet import Fleet
 from .places import PlacedEnds
@@ -45,6 +45,7 @@ def fleet_of(problem: Problem, places: PlacedEnds, closed: Marks) -> Fleet:
     """
     net = places.net
     kinds = [problem.profile_of(trip) for trip in problem.trips]
+    vehicles = [problem.vehicle_of(trip) for trip in problem.trips]
     roads = _Roads(net, without_roads(net, closed))
     own: dict[Vehicle | None, EdgeWeights] = {}
     pace: dict[tuple[bool, float | None] | None, Floats] = {}
@@ -57,14 +58,14 @@ def fleet_of(problem: Problem, places: PlacedEnds, closed: Marks) -> Fleet:
         [own[kind] for kind in kinds],
         [
             roads.closed_to(
-                kind or DEFAULT_VEHICLE,
+                vehicle,
                 [node for node, _ in start.nodes],
                 [node for node, _ in end.nodes],
             )
-            for kind, (start, end) in zip(kinds, places.ends, strict=True)
+            for vehicle, (start, end) in zip(vehicles, places.ends, strict=True)
         ],
         [pace[_pace_of(kind)] for kind in kinds],
-        lambda vehicle, edge: roads.why(kinds[vehicle] or DEFAULT_VEHICLE, edge),
+        lambda vehicle, edge: roads.why(vehicles[vehicle], edge),
     )
 
 

@@ -20,7 +20,7 @@ from ..plans.trip import Trip
 from ..search.protocol import EngineName
 from ..search.searches import Searches
 from ..search.trees import Trees
-from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle
+from ..vehicles.profile import Vehicle
 from .answers import Answer
 from .apart import lawful_company
 from .best import Best, best_answer
@@ -173,17 +173,21 @@ def solve(problem: Problem) -> Plan:
     question = Question(problem, fleet, tuple(ends), trees)
     exact = problem.method == "dijkstra"
     patience_s = problem.patience_min * 60.0 if exact else None
-    vehicles = [problem.profile_of(trip) or DEFAULT_VEHICLE for trip in problem.trips]
+    vehicles = [problem.vehicle_of(trip) for trip in problem.trips]
 
     def timed(plan: Plan) -> Plan:
         plan = with_times(with_place_remarks(plan, net, locations), problem.trips, patience_s)
         return with_hours(plan, net, problem.trips, vehicles, patience_s)
 
-    plan = timed(_answered(question) if exact else _by_astar(question))
+    def finished(best: Best, reasons: Sequence[str]) -> Plan:
+        return timed(_of_best(question, best, reasons))
+
     if exact:
-        plan = lawful_company(
-            question, plan, vehicles, lambda best, why: timed(_of_best(question, best, why))
-        )
+        best = best_answer(question)
+        plan = finished(best, reasons_alone(question, best.answer))
+        plan = lawful_company(question, best, plan, vehicles, finished)
+    else:
+        plan = timed(_by_astar(question))
     return _with_rules(_with_limits(plan, net, vehicles), problem)
 
 
@@ -205,13 +209,8 @@ def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:
     return [made[kind] for kind in fleet.kind]
 
 
-def _answered(question: Question) -> Plan:
-    """Return the plan of the best answer, without times."""
-    best = best_answer(question)
-    return _of_best(question, best, reasons_alone(question, best.answer))
-
-
 def _of_best(question: Question, best: Best, reasons: Sequence[str]) -> Plan:
+    """Return the plan of an answer, without times."""
     answer = best.answer
     return _written(
         question, answer.draft.runs(), answer.case, answer.master, best.proof, reasons,

@@ -17,7 +17,7 @@ from ..network.road_network import RoadNetwork
 from ..plans.text_table import listed
 from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
-from ..vehicles.profile import Vehicle, vehicle_of
+from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle, vehicle_of
 from .cases import CASES
 from .master import LONGEST
 from .routers import Method
@@ -156,7 +156,7 @@ class Problem:
         )
 
     def profile_of(self, trip: Trip) -> Vehicle | None:
-        """Return the vehicle of a trip.
+        """Return the vehicle that is named for a trip.
 
         Parameters
         ----------
@@ -169,6 +169,21 @@ class Problem:
             Its own, or that of the problem; None if neither names one.
         """
         return self.profile if trip.profile is None else trip.profile
+
+    def vehicle_of(self, trip: Trip) -> Vehicle:
+        """Return what drives a trip.
+
+        Parameters
+        ----------
+        trip : Trip
+            One of the problem.
+
+        Returns
+        -------
+        Vehicle
+            The one that is named for it, or `DEFAULT_VEHICLE`.
+        """
+        return self.profile_of(trip) or DEFAULT_VEHICLE
 
     @property
     def cases(self) -> tuple[str, ...]:
@@ -201,26 +216,15 @@ def check_choice(label: str, value: object, allowed: tuple[str, ...]) -> None:
 
 
 def _closed(given: Any) -> tuple[Any, ...]:
-    if isinstance(given, str | int) or is_point(given):
+    if isinstance(given, str | int) or _is_point(given):
         return (given,)
     if isinstance(given, Mapping) or not isinstance(given, Iterable):
         raise ScenarioError(f"close is a {kind_of(given)}; give a list of roads")
     return tuple(given)
 
 
-def is_point(given: Any) -> bool:
-    """Tell a pair of coordinates from a list of roads.
-
-    Parameters
-    ----------
-    given : object
-        Anything.
-
-    Returns
-    -------
-    bool
-        Whether it is two numbers that are no edge ids.
-    """
+def _is_point(given: Any) -> bool:
+    """Tell a pair of coordinates from a list of roads, of which edge ids are whole numbers."""
     return (
         isinstance(given, tuple | list)
         and len(given) == 2

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,7 @@ from ..plans.records import (
     Stretch,
 )
 from ..plans.stretches import Run, runs_along, stretched
-from ..vehicles.profile import DEFAULT_VEHICLE
+from ..vehicles.profile import Vehicle
 from .ends import TripEnds
 from .fleet import Fleet
 from .positions import proved_by_position
@@ -115,11 +114,10 @@ def written_plan(
         )  # fmt: skip
 
     trips = tuple(
-        replace(
-            _trip(net, fleet, index, ends[index], route, reason),
-            profile=problem.profile_of(problem.trips[index]) or DEFAULT_VEHICLE,
+        _trip(net, fleet, index, ends[index], route, reason, problem.vehicle_of(trip))
+        for index, (trip, route, reason) in enumerate(
+            zip(problem.trips, alone, reasons, strict=True)
         )
-        for index, (route, reason) in enumerate(zip(alone, reasons, strict=True))
     )
     return Plan(
         trips=trips,
@@ -210,7 +208,13 @@ def _line(net: RoadNetwork, edge: int) -> Line:
 
 
 def _trip(
-    net: RoadNetwork, fleet: Fleet, index: int, ends: TripEnds, alone: Edges, reason: str
+    net: RoadNetwork,
+    fleet: Fleet,
+    index: int,
+    ends: TripEnds,
+    alone: Edges,
+    reason: str,
+    profile: Vehicle,
 ) -> PlannedTrip:
     edges = np.asarray(alone, np.int64)
     length = net.length_m[edges]
@@ -237,6 +241,7 @@ def _trip(
             (first, last),
         ),
         reason,
+        profile,
     )
 
 
