@@ -26,7 +26,7 @@ from .way_sides import (
 )
 
 __all__ = [
-    "NO", "TOLL_KEYS", "Side", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_way",
+    "TOLL_KEYS", "Side", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_way",
 ]  # fmt: skip
 
 LIGHT = VEHICLES["van-3.5t"]
