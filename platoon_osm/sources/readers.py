@@ -110,9 +110,17 @@ def _graphml(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
 
 
 def _geopackage(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
+    from .gis.lines import layers_of, read_lines
     from .graphs.osmnx_graph import read_geopackage
 
-    return read_geopackage(path, classes, rules)
+    read = read_geopackage if {"nodes", "edges"} & {*layers_of(path)} else read_lines
+    return read(path, classes, rules)
+
+
+def _lines(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
+    from .gis.lines import read_lines
+
+    return read_lines(path, classes, rules)
 
 
 def _overpass(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
@@ -135,12 +143,17 @@ def _saved(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
 
 OSM = (".osm.pbf", ".osm", ".osm.gz", ".osm.bz2", ".osh", ".osh.pbf", ".osh.gz", ".osc", ".osc.gz")
 
+LINES = (
+    ".geojson", ".geojsonl", ".geojsons", ".geojsonseq", ".parquet", ".geoparquet", ".fgb", ".shp",
+)  # fmt: skip
+
 READERS: Registry[Reader] = Registry(
     "reader",
     (
         Reader("osm", OSM, "OSM extract", _osm),
         Reader("graphml", (".graphml",), "GraphML saved by OSMnx, or of ETISplus", _graphml),
-        Reader("geopackage", (".gpkg",), "GeoPackage saved by OSMnx", _geopackage),
+        Reader("geopackage", (".gpkg",), "GeoPackage of lines, or saved by OSMnx", _geopackage),
+        Reader("lines", LINES, "lines with tags, as a GIS has them", _lines),
         Reader("overpass", (".json",), "answer of Overpass, as OSMnx caches it", _overpass),
         Reader("saved", (".platoon",), "network saved by this package", _saved, MAGIC, False),
     ),

@@ -14,7 +14,7 @@ from platoon_osm.cli import main
 from platoon_osm.errors import MapDataError, ScenarioError
 from platoon_osm.sources.load import load_network
 from platoon_osm.sources.overpass.download import osmnx_settings
-from platoon_osm.sources.readers import READERS
+from platoon_osm.sources.readers import LINES, READERS
 from platoon_osm.sources.truck import TruckRules
 
 
@@ -93,6 +93,8 @@ def test_every_kind_of_graph_in_upper_case(tmp_path):
 
 def test_no_reader_was_forgotten():
     tried = {".osm", ".osm.pbf", ".osm.gz", ".osm.bz2", ".json", ".graphml", ".gpkg", ".platoon"}
+    # Those of lines are tried in gis/test_lines.py; GDAL and pyarrow open all of them.
+    tried |= set(LINES)
     tried |= {".osh", ".osh.pbf", ".osh.gz", ".osc", ".osc.gz"}
     assert {suffix for reader in READERS.values() for suffix in reader.suffixes} == tried
 

@@ -69,7 +69,7 @@ def raw_map(
     source : Source
         Where it is from.
     ways : iterable of MapWay
-        Ids may not repeat.
+        An id may stand for several, where no turn names it.
     nodes : mapping of int to MapNode
         By id; one that a way names may be missing.
     turns : iterable of MapTurn

@@ -1,0 +1,1 @@
+"""Lines of a GIS, with OpenStreetMap's tags in their columns."""
