@@ -47,7 +47,8 @@ ITALY = (35.0, 47.5, 6.0, 19.0)  # south, north, west, east
 
 CARRIAGEWAY_OFFSET = 12.0  # m from the centreline to the middle of a carriageway
 GATE_OFFSET = 200.0  # m from the centreline to the node where an exit meets other roads
-SERVICE_OFFSET = 80.0  # m from the centreline to a service area
+SERVICE_OFFSET = 80.0  # m from the centreline to a service area on one side
+COMPASS = {"Nord": (1, 0), "Sud": (-1, 0), "Est": (0, 1), "Ovest": (0, -1)}  # north, east
 MAX_SPACING = 2000.0  # m between nodes of a carriageway
 MAX_SAGITTA = 25.0  # m between the smooth curve and the straight line between two nodes
 DENSE_STEP = 25.0  # m between the points of the curve before it is thinned out
@@ -818,6 +819,21 @@ def ramp_points(origin: tuple[int, Point], goal: tuple[int, Point]) -> list[tupl
     return points
 
 
+def area_place(point: Point, row: Row) -> tuple[float, float]:
+    """Place a service area on the side that its name tells, else between the carriageways.
+
+    Areas of one name are a pair, one for each direction, as most of the tables' are; a rest area
+    or truck park is called after the exit by which both directions reach it.
+    """
+    toward = COMPASS.get(row.name.rpartition(" ")[2]) if row.kind == "service" else None
+    middle = point.beside(0.0)
+    if toward is None:
+        return middle
+    sides = [point.beside(sign * SERVICE_OFFSET) for sign in (1, -1)]
+    north, east = toward
+    return max(sides, key=lambda at: north * (at[0] - middle[0]) + east * (at[1] - middle[1]))
+
+
 def add_points(osm: Osm, motorway: Motorway, tables: Tables, lines: list[Line]) -> None:
     """Add service and rest areas beside the road; all of them are open to trucks."""
     used: dict[int, int] = {}
@@ -830,7 +846,7 @@ def add_points(osm: Osm, motorway: Motorway, tables: Tables, lines: list[Line]) 
         index = used[row.metre] = used.get(row.metre, -1) + 1
         highway = "services" if row.kind == "service" else "rest_area"
         identity = object_id(motorway.ref, row.metre, ROLE_POINT + index)
-        where = line.at(row.metre).beside(SERVICE_OFFSET * (1 if index % 2 == 0 else -1))
+        where = area_place(line.at(row.metre), row)
         tags = tagged(highway=highway, name=row.name, ref=row.ref, hgv="yes")
         if spaces := tables.parkings.get((motorway.ref, row.metre, row.name)):
             tags["capacity:hgv"] = spaces

@@ -303,7 +303,7 @@ class StopRoads:
                 & (near.along @ near.along[one] < 0)
                 & ((near.left > 0) == (near.left[one] > 0))
             )
-            beyond = [k for k in np.flatnonzero(between) if k not in same]
+            beyond = [k for k in np.flatnonzero(between) if k != one]
             # Of edges that meet where it is nearest, the one that ends there.
             alike = [k for k in beyond if near.away_m[k] <= near.away_m[beyond[0]] + SAME_M]
             best += sorted(alike, key=lambda k: (near.share[k] <= 0.0, near.edge[k]))[:1]

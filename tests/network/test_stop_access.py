@@ -101,7 +101,7 @@ def brute(net, lon, lat):
         across = [
             row for row in rows
             if row[0] <= MEDIAN_M and row[3] == chosen[0][3] and row[4] @ chosen[0][4] < 0
-            and row[0] > nearest[0] + SAME_M
+            and row is not chosen[0]
         ]  # fmt: skip
         alike = [row for row in across if row[0] <= across[0][0] + SAME_M]
         chosen += sorted(alike, key=lambda row: (row[2] == 0.0, row[1]))[:1]
@@ -211,6 +211,9 @@ def test_between_the_carriageways_it_is_reached_from_both():
     # Where people drive on the left, the same drawing has it outside of both.
     (stop,) = drawn(lines, [(1000, 90)], countries=["GB", "GB"]).stops()
     assert [(a.side, round(a.beside_m)) for a in stop.accesses] == [("left", 90)]
+    # Right in the middle both carriageways are equally near.
+    (stop,) = drawn(lines, [(1000, 100)]).stops()
+    assert len({a.edge for a in stop.accesses}) == 2
 
 
 def test_a_road_of_one_direction_serves_a_stop_on_either_side():

@@ -47,6 +47,8 @@ TRUCK_KEYS = ("hgv", "truck", *CAPACITIES, *PARKINGS)
 TRUCK_WORDS = frozenset({"hgv", "truck", "trucks", "lorry", "lorries"})
 """Values of `access` and `parking` by which a parking is for trucks alone."""
 
+ONLY = TRUCK_WORDS | {"only"}
+
 OTHERS = ("motorcar", "car", "motor_vehicle", "vehicle", "access", "bus", "caravan", "motorhome")
 """Where one of these is open, a parking is not for trucks alone."""
 
@@ -62,7 +64,7 @@ NO_STOP = ("disused", "abandoned", "construction", "proposed", "razed")
 
 KEPT = frozenset(
     {
-        "hgv", "truck", "goods", "motor_vehicle", "vehicle", "access", "capacity", "fee", "maxstay",
+        "hgv", "goods", "motor_vehicle", "vehicle", "access", "capacity", "fee", "maxstay",
         "maxstay:hgv", "opening_hours", "charging_station:output", "hgv:lanes", *CAPACITIES,
         *LIMITS,
     }
@@ -174,7 +176,7 @@ def read_stop(tags: Tags, counts: Counter[str]) -> StopReading | None:
     if kind == "parking" and not told and "capacity" in tags and _trucks_alone(tags):
         spaces = _number(tags["capacity"], counts)
     kept = {"highway": area} if area else {"amenity": tags["amenity"]}
-    kept |= {key: value for key, value in tags.items() if key in KEPT}
+    kept |= {key: value for key, value in tags.items() if key in KEPT} | _access_tags(tags)
     kept |= _fuel_tags(tags, counts) | _charging_tags(tags, counts)
     for key in ("maxstay", "maxstay:hgv"):
         if key in kept and stay_s(kept[key]) is None and kept[key].strip().lower() not in NO:
@@ -237,7 +239,7 @@ def _for_trucks(tags: Tags, kind: str, spaces: int, told: bool) -> bool | None:
 
 def _opens(value: str) -> bool:
     """Tell whether a value of an access key admits who only wants to stop there."""
-    if value.strip().lower() in TRUCK_WORDS | {"only"}:
+    if value.strip().lower() in ONLY:
         return True
     way, _ = read_value(value)
     return way == Way.OPEN or (way == Way.ENDS and value.strip().lower() in ADMITS)
@@ -258,6 +260,16 @@ def _admitted(tags: Tags, counts: Counter[str], area: bool) -> bool:
     if value not in VALUES and value not in TRUCK_WORDS:
         counts["access of stops not understood, taken as closed"] += 1
     return _opens(value)
+
+
+def _access_tags(tags: Tags) -> dict[str, str]:
+    """Return access keys whose values are words of stops alone in those of roads."""
+    word = _word(tags)
+    if word is not None:
+        return {"hgv": "designated" if word.strip().lower() in ONLY else word}
+    if tags.get("access", "").strip().lower() in TRUCK_WORDS:
+        return {"access": "no", "hgv": "designated"}
+    return {}
 
 
 def _trucks_alone(tags: Tags) -> bool:
