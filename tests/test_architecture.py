@@ -23,6 +23,7 @@ WALLS = {
     "sources": ("country", "speeds", "stops", "graphs", "osm", "overpass", "gis"),
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
+    "costs": ("tolls",),
     "driving": ("bans",),
     "planning": ("timing", "company", "scenario"),
     "report": (

@@ -116,6 +116,8 @@ class RoadChoice:
         merged = merge_chains(net, junctions)
         ordered = sorted(self.counts, key=lambda name: not name.startswith(self.unit))
         counts = {name: self.counts[name] for name in ordered}
+        if merged.graded_m.any():
+            counts["km of known grade"] = round(merged.graded_m.sum() / 1000)
         touched = np.zeros(net.n, bool)
         touched[net.tail] = touched[net.head] = True
         counts |= {

@@ -25,6 +25,7 @@ from ..truck import TruckRules
 from .edge_tags import class_code, edge_class, truck_tags
 from .exchange import directed_edges, graph_source, way_id_of
 from .freight_graph import REMARK, as_tagged, freight_source, is_freight_graph
+from .grades import edge_rises
 from .graph_arrays import Attributes, EdgeRow, check_degrees, graph_arrays
 from .graph_values import flag, joined, number
 
@@ -294,8 +295,14 @@ def _network(
     signs = [data if data.get("highway") == JUNCTION else {} for _, data in nodes]
     data = [attributes for _, _, attributes in kept]
     geometry: dict[str, Any] = {name: getattr(arrays, name) for name in arrays.__slots__}
+    free = [
+        length * side.toll_free if (own := number(item.get("toll_free_m"))) is None else own
+        for item, side, length in zip(data, readings, arrays.length_m.tolist(), strict=True)
+    ]
+    geometry |= edge_rises(nodes, kept, arrays.length_m, choice.counts)
     net = RoadNetwork.from_edges(
         **geometry,
+        toll_free_m=np.array(free, np.float64),
         speed_mps=np.array([reading.speed_kmh for reading in readings]) / 3.6,
         posted_mps=np.array([reading.posted_kmh for reading in readings]) / 3.6,
         restriction=np.array(

@@ -19,6 +19,7 @@ from ...vehicles.access import LOCKED
 from ...vehicles.limits import LIMITS
 from ..file_identity import ATTRIBUTION, LICENCE, osm_source
 from ..graphs.osmnx_graph import network_from_osmnx
+from ..slopes import INCLINE_TAGS
 from ..speeds.of_road import KIND_KEYS
 from ..speeds.zones import ZONE_KEYS
 from ..truck import TruckRules
@@ -33,11 +34,12 @@ PARTS = ("", ":forward", ":backward", ":conditional")
 SPEEDS = ("maxspeed", "maxspeed:hgv", "maxspeed:goods")
 WAY_TAGS = (
     "highway", "ref", "name", "destination", "junction", "toll", "toll:hgv", "toll:N3",
+    *sorted(INCLINE_TAGS),
     "oneway", "oneway:conditional", *ONLY_SOME, *ZONE_KEYS, *sorted(KIND_KEYS),
     *(f"{key}{part}" for key in (*SPEEDS, *sorted(RESTRICTIONS)) for part in PARTS),
 )  # fmt: skip
 """What `truck.read_way` looks at, and what names a road."""
-NODE_TAGS = ("highway", "ref", "name", "barrier", LOCKED, *sorted(RESTRICTIONS))
+NODE_TAGS = ("highway", "ref", "name", "ele", "barrier", LOCKED, *sorted(RESTRICTIONS))
 
 LARGEST_REQUEST_M2 = 1e11
 """About 300 km by 300 km: few roads are of the classes asked for, so one request holds many."""

@@ -302,11 +302,13 @@ def test_settings_come_back_after_any_error(tmp_path):
 
 def test_what_is_read_of_a_road_is_kept_of_an_answer():
     from platoon_osm.sources.overpass.download import NODE_TAGS, WAY_TAGS
+    from platoon_osm.sources.slopes import INCLINE_TAGS
     from platoon_osm.sources.truck import is_driving_tag
 
     for key in ("maxheight", "maxweight:hgv", "hgv:forward", "access:conditional", "hazmat"):
         assert key in WAY_TAGS
     assert {"barrier", "access", "maxheight"} <= {*NODE_TAGS}
-    names = {"ref", "name", "destination"}
+    assert "ele" in NODE_TAGS
+    names = {"ref", "name", "destination", *INCLINE_TAGS}
     assert [key for key in WAY_TAGS if not (is_driving_tag(key) or key in names)] == []
     assert len(set(WAY_TAGS)) == len(WAY_TAGS)
