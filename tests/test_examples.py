@@ -22,6 +22,8 @@ def run(script, folder, *arguments):
 def test_an_example_runs(script, tmp_path):
     done = run(script, tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
+    if done.stdout.startswith("Skipped: there is no extract at "):
+        pytest.skip(done.stdout.strip())
     # Never without what it is proved for.
     assert "Proved optimal for: " in done.stdout or "dearer than the best there" in done.stdout
 
