@@ -16,6 +16,7 @@ from functools import cache
 from itertools import chain, product
 from typing import Any
 
+from ..slopes import INCLINE_TAGS
 from ..speeds.of_road import KIND_KEYS
 from ..truck import is_driving_tag
 from ..way_sides import ALONE
@@ -24,7 +25,9 @@ __all__ = ["IDS", "holds_roads", "id_of", "tags_of"]
 
 TOGETHER = ("other_tags", "tags", "all_tags", "hstore")
 CLASS = ("highway", "fclass")
-NAMES = frozenset({"name", "ref", "destination", "place", "population", "ele", "route", "duration"})
+NAMES = INCLINE_TAGS | {
+    "name", "ref", "destination", "place", "population", "ele", "route", "duration"
+}  # fmt: skip
 ONE_WAY = {"F": "yes", "T": "-1", "B": "no"}
 IDS = ("osm_id", "osm_way_id", "osmid", "@id", "full_id")
 """Columns that hold an id of OpenStreetMap, the surest first."""

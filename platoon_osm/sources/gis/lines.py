@@ -115,6 +115,8 @@ class _Lines:
             places = self._places(np.array(part.coords)[:, :2], row)
             if kind in LINES:
                 self.ways.append(MapWay(own or -1 - len(self.ways), places, tags))
+                if part.has_z:
+                    self._note_heights(places, np.array(part.coords)[:, 2])
             elif tags:
                 self._tags.setdefault(places[0], {}).update(tags)
 
@@ -128,6 +130,15 @@ class _Lines:
         steps = np.rint(coordinates * STEPS).astype(np.int64)
         known = self._number
         return [known.setdefault((lon, lat), -1 - len(known)) for lon, lat in steps.tolist()]
+
+    def _note_heights(self, places: list[int], heights: NDArray[np.float64]) -> None:
+        """Keep the heights of a line's points as those of nodes, which `ele` is."""
+        # A line that was only made three-dimensional lies at nought.
+        if not heights.any():
+            return
+        for place, height in zip(places, heights.tolist(), strict=True):
+            if np.isfinite(height):
+                self._tags.setdefault(place, {}).setdefault("ele", f"{height:.2f}")
 
     def nodes(self) -> dict[int, MapNode]:
         """Return all nodes by their numbers, which are negative, for the file gives none."""
