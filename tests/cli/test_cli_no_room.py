@@ -5,7 +5,9 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import textwrap
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -30,16 +32,6 @@ OUTPUTS = {
               "--spawning", "points", "--nodes", "40", "--edges", "200", "--workers", "1",
               "-o", "new/study"],
 }  # fmt: skip
-
-# Beyond the limit a write fails with EFBIG, as on a disk that is full, but without being root.
-LIMITED = textwrap.dedent("""
-    import resource, signal, sys
-    from platoon_osm.cli import main
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    said = int(sys.argv[1])
-    resource.setrlimit(resource.RLIMIT_FSIZE, (said, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
-    sys.exit(main(sys.argv[2:]))
-""")
 
 needs_limits = pytest.mark.skipif(os.name == "nt", reason="limits of POSIX")
 
@@ -77,9 +69,16 @@ def checked(done, before, folder):
     return False
 
 
+@cache
+def saved_map():
+    with tempfile.TemporaryDirectory() as folder:
+        po.load_network("italy-motorways").save(f"{folder}/map.platoon")
+        return Path(folder, "map.platoon").read_bytes()
+
+
 def prepared(network="map.platoon"):
     """Make a map whose reading takes no temporary file, a scenario, and files that are there."""
-    po.load_network("italy-motorways").save(network)
+    Path(network).write_bytes(saved_map())
     Path("corridor.toml").write_text(CORRIDOR.format(network=network), encoding="utf-8")
     Path("a.html").write_text("old")
     Path("a.gpkg").write_bytes(b"old")
@@ -87,15 +86,13 @@ def prepared(network="map.platoon"):
 
 @needs_limits
 @pytest.mark.parametrize("name", OUTPUTS)
-def test_writes_that_fail_leave_nothing(name, tmp_path):
+def test_writes_that_fail_leave_nothing(name, tmp_path, forks):
     prepared()
     before = contents(tmp_path)
     went_well = []
     for limit in (0, 9_000):
-        done = subprocess.run(
-            [sys.executable, "-c", LIMITED, str(limit), *OUTPUTS[name]], check=False, text=True,
-            capture_output=True, env=environment(), timeout=120,
-        )  # fmt: skip
+        # Beyond the limit a write fails, as on a disk that is full, but without being root.
+        done = forks.run(*OUTPUTS[name], largest=limit)
         went_well.append(checked(done, before, tmp_path))
         if went_well[-1]:
             break
@@ -154,17 +151,14 @@ def small_disk(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["gpkg", "all", "figures", "demo"])
-def test_a_small_disk_that_is_full(name, small_disk, tmp_path):
+def test_a_small_disk_that_is_full(name, small_disk, tmp_path, forks):
     os.chdir(small_disk)
     try:
         prepared(tmp_path / "map.platoon")
         for filled in (0, 300_000, 560_000):
             Path("filler").write_bytes(b"x" * filled)
             before = contents(small_disk)
-            done = subprocess.run(
-                [sys.executable, "-m", "platoon_osm.cli", *OUTPUTS[name]], check=False, text=True,
-                capture_output=True, env=environment(), timeout=120,
-            )  # fmt: skip
+            done = forks.run(*OUTPUTS[name])
             if name != "figures":  # which fit, at first
                 assert done.returncode == 2
             if checked(done, before, small_disk):
