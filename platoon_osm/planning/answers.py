@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..plans.stretches import runs_alone, runs_along
-from .cases import MemberPlans
 from .company.draft import Draft, Floats, Order
 from .company.side_by_side import side_by_side
 from .company.turns import improved_in_turns
 from .fleet import Fleet
+from .member_plans import MemberPlans
 from .pair import plan_pair
 from .question import Question
 from .star import Star, StarChoice

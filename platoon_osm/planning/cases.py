@@ -11,7 +11,6 @@ it stays alone. One pass that carries the least D(o, r_i) - P_i so far finds the
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -24,40 +23,15 @@ from ..network.road_network import RoadNetwork
 from ..search.arguments import checked_network
 from ..search.engine import EngineName, engine_for
 from ..search.joining import best_pairs, entry_exit_costs, only_at
+from .member_plans import MemberPlans
 
-__all__ = ["CASES", "Case", "MemberPlans", "best_pairs", "choose_points",
-           "entry_exit_costs", "plan_members", "route_nodes"]  # fmt: skip
+__all__ = ["CASES", "Case", "best_pairs", "choose_points", "entry_exit_costs", "plan_members",
+           "route_nodes"]  # fmt: skip
 
 Case = Literal["A", "B", "C"]
 CASES = ("A", "B", "C", "D")
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class MemberPlans:
-    """The best merging and separation points of N members on one master route, (N,) each.
-
-    Attributes
-    ----------
-    merge, separation : ndarray of int, (N,)
-        Nodes; -1 for a member that stays alone.
-    merge_index, separation_index : ndarray of int, (N,)
-        Positions of those nodes on the route; -1 likewise.
-    cost, solo_cost : ndarray of float, (N,)
-        Of the member as planned, and alone.
-    applicable : ndarray of bool, (N,)
-        Whether the case can apply at all (A: the destination lies on the route; B: the origin
-        does).
-    """
-
-    merge: Index
-    separation: Index
-    merge_index: Index
-    separation_index: Index
-    cost: Floats
-    solo_cost: Floats
-    applicable: NDArray[np.bool_]
 
 
 def route_nodes(net: RoadNetwork, route: ArrayLike) -> Index:
@@ -167,15 +141,8 @@ def plan_members(
         entry_at, exit_at,
     )  # fmt: skip
     restricted = entry_at or exit_at
-    return MemberPlans(
-        merge=np.where(i >= 0, nodes[i], -1),
-        separation=np.where(i >= 0, nodes[j], -1),
-        merge_index=i,
-        separation_index=j,
-        cost=cost,
-        solo_cost=solo,
-        applicable=np.diff(restricted[0]) > 0 if restricted else np.ones(len(solo), bool),
-    )
+    applicable = np.diff(restricted[0]) > 0 if restricted else np.ones(len(solo), bool)
+    return MemberPlans.at(nodes, i, j, cost, solo, applicable)
 
 
 def choose_points(
@@ -240,16 +207,7 @@ def choose_points(
         everyone = np.arange(len(solo))
         together = entry[everyone, i] + (platoon[j] - platoon[i]) + leave[everyone, j]
         cost = np.where(i >= 0, together, solo)
-    joined = i >= 0
-    return MemberPlans(
-        merge=np.where(joined, nodes[i], -1),
-        separation=np.where(joined, nodes[j], -1),
-        merge_index=i,
-        separation_index=j,
-        cost=cost,
-        solo_cost=solo,
-        applicable=applicable,
-    )
+    return MemberPlans.at(nodes, i, j, cost, solo, applicable)
 
 
 def running_sum(values: Floats) -> Floats:

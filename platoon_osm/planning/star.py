@@ -14,10 +14,11 @@ from ..errors import ScenarioError
 from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.stretches import Run, runs_alone, runs_along
-from .cases import Floats, MemberPlans, choose_points, running_sum
+from .cases import Floats, choose_points, running_sum
 from .ends import TripEnds
 from .fleet import Fleet
 from .join_costs import JoinCosts, road_of
+from .member_plans import MemberPlans
 from .problem import Optimum
 from .routers import Router
 from .system import choose_for_system
@@ -183,7 +184,7 @@ class Star:
         gain, alone = self._gain, self._master_alone
         if optimum == "member" or not self.members:
             points = self._points(case, None, everyone, known)
-            met = _covered(points, len(self.route)).any(axis=0)
+            met = points.covered(len(self.route)).any(axis=0)
             cost = float(points.cost.sum()) + alone - float(gain[met].sum())
             return StarChoice(case, points, cost, cost)
         if (gain < 0).any():
@@ -200,10 +201,8 @@ class Star:
         self, case: Any, gain: Floats | None, rows: Edges, costs: tuple[Floats, Floats, Floats]
     ) -> MemberPlans:
         entry, leave, solo = costs
-        if not len(self.route):
-            return _apart(solo[rows])
-        if not len(rows):
-            return _apart(solo[rows])
+        if not len(self.route) or not len(rows):
+            return MemberPlans.apart(solo[rows])
         groups = self._alike(rows)
         found = [
             self._alike_points(
@@ -212,15 +211,7 @@ class Star:
             )
             for at in groups
         ]  # fmt: skip
-        if len(found) == 1:
-            return found[0]
-        back = np.argsort(np.concatenate([np.zeros(0, np.int64), *groups]))
-        return MemberPlans(
-            *(
-                np.concatenate([getattr(one, name) for one in found])[back]
-                for name in MemberPlans.__slots__
-            )
-        )
+        return found[0] if len(found) == 1 else MemberPlans.together(found, groups)
 
     def _alike_points(
         self, case: Any, gain: Floats | None, rows: Edges, costs: tuple[Floats, Floats, Floats]
@@ -267,21 +258,20 @@ class Star:
         MemberPlans
             The given ones if they fit already.
         """
-        there = _covered(points, len(self.route))
+        there = points.covered(len(self.route))
         if int(there.sum(axis=0).max(initial=0)) < most:
             return points
         users = np.zeros(len(self.route), np.int64)
-        columns = {name: getattr(points, name).copy() for name in MemberPlans.__slots__}
+        chosen = points
         forbidding = -2.0 * float(self.fleet[self.master].solo.sum() + points.solo_cost.sum())
         for member in np.argsort(points.cost - points.solo_cost, kind="stable").tolist():
             if there[member].any() and (users[there[member]] >= most - 1).any():
                 room = np.where(users >= most - 1, forbidding, 0.0)
                 turn = self._points(case, room[None, :], np.array([member]), costs or self.costs)
-                for name, column in columns.items():
-                    column[member] = getattr(turn, name)[0]
-                there[member] = _covered(turn, len(self.route))[0]
+                chosen = chosen.with_row(member, turn)
+                there[member] = turn.covered(len(self.route))[0]
             users += there[member]
-        return MemberPlans(**columns)
+        return chosen
 
     def routes(self, points: MemberPlans) -> list[list[Run]]:
         """Return who drives what with whom.
@@ -320,17 +310,3 @@ class Star:
                 *runs_alone(after, index),
             ]
         return routes
-
-
-def _apart(solo: Floats) -> MemberPlans:
-    """Return the plans of members (N,) whose master drives no road that they could share."""
-    nowhere = np.full(len(solo), -1, np.int64)
-    return MemberPlans(
-        nowhere, nowhere, nowhere, nowhere, solo, solo, np.ones(len(solo), bool)
-    )  # fmt: skip
-
-
-def _covered(points: MemberPlans, edges: int) -> NDArray[np.bool_]:
-    """Mark the edges of the route (M, K) that each member drives with the master."""
-    at = np.arange(edges)
-    return (at >= points.merge_index[:, None]) & (at < points.separation_index[:, None])

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..search.tie_rule import TIE
-from .cases import MemberPlans
+from .member_plans import MemberPlans
 
 __all__ = ["SystemChoice", "choose_for_system", "lower_bound"]
 
@@ -77,7 +77,7 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
     seen: set[bytes] = set()
     for _ in range(ROUNDS):
         relaxed = choose_all(price)
-        users = _covered(relaxed, len(gain)).sum(axis=0)
+        users = relaxed.covered(len(gain)).sum(axis=0)
         value = lower_bound(relaxed, price, gain)
         scale = scale if value > bound else scale / 2
         bound = max(bound, value)
@@ -113,25 +113,14 @@ def lower_bound(relaxed: MemberPlans, price: Floats, gain: Floats) -> float:
     float
         No choice of points costs less.
     """
-    users = _covered(relaxed, len(gain)).sum(axis=0)
+    users = relaxed.covered(len(gain)).sum(axis=0)
     # The kernel calls costs equal that differ by a hair; the bound allows for it.
     hair = TIE * float(relaxed.solo_cost.sum())
     return float(relaxed.cost.sum() - (price * users).sum() - (gain - price).sum()) - hair
 
 
-def _covered(plans: MemberPlans, edges: int) -> NDArray[np.bool_]:
-    """Mark the route's edges (N, K) that each member drives in the platoon."""
-    at = np.arange(edges)
-    joined = plans.merge_index >= 0
-    return (
-        joined[:, None]
-        & (at >= plans.merge_index[:, None])
-        & (at < plans.separation_index[:, None])
-    )
-
-
 def _cost(plans: MemberPlans, gain: Floats) -> float:
-    return float(plans.cost.sum() - gain[_covered(plans, len(gain)).any(axis=0)].sum())
+    return float(plans.cost.sum() - gain[plans.covered(len(gain)).any(axis=0)].sum())
 
 
 def _by_turns(choose: Choose, plans: MemberPlans, gain: Floats) -> MemberPlans:
@@ -140,23 +129,13 @@ def _by_turns(choose: Choose, plans: MemberPlans, gain: Floats) -> MemberPlans:
     for _ in range(20):
         before = cost
         for member in range(len(plans.cost)):
-            company = _covered(plans, len(gain))
+            company = plans.covered(len(gain))
             company[member] = False
             alone_there = np.where(company.any(axis=0), 0.0, gain)
             turn = choose(alone_there[None, :], np.array([member]))
-            candidate = _with_row(plans, turn, member)
+            candidate = plans.with_row(member, turn)
             if (new := _cost(candidate, gain)) < cost - 1e-12 * abs(cost):
                 plans, cost = candidate, new
         if cost >= before:
             break
     return plans
-
-
-def _with_row(plans: MemberPlans, turn: MemberPlans, row: int) -> MemberPlans:
-    """Put the one member of `turn` in place of a row."""
-    columns = []
-    for name in MemberPlans.__slots__:
-        column = getattr(plans, name).copy()
-        column[row] = getattr(turn, name)[0]
-        columns.append(column)
-    return MemberPlans(*columns)

@@ -11,13 +11,13 @@ from platoon_osm.costs.paper import paper_weights
 from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.planning.cases import (
-    MemberPlans,
     best_pairs,
     choose_points,
     entry_exit_costs,
     plan_members,
     route_nodes,
 )
+from platoon_osm.planning.member_plans import MemberPlans
 from platoon_osm.search.dijkstra import ReferenceEngine
 
 
