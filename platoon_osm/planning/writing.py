@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._version import __version__
-from ..network.nearest_road import is_closed
 from ..network.placed import PlacedNetwork, access_of, is_beside, network_below, whole_edges
 from ..network.road_network import RoadNetwork
 from ..plans.events import platoon_events
@@ -31,6 +30,7 @@ from .ends import TripEnds
 from .fleet import Fleet
 from .positions import proved_by_position
 from .problem import Problem
+from .road_remarks import meets, road_remarks
 
 __all__ = ["identity_of", "written_plan"]
 
@@ -133,7 +133,7 @@ def written_plan(
         params=dict(fleet[0].params),
         network=identity_of(net),
         proof=proved_by_position(proof, fleet, stretches),
-        remarks=(*_inferred(net, trips, runs, ways), *_between_junctions(net, trips, runs, ways)),
+        remarks=tuple(road_remarks(net, trips, runs, ways)),
         version=__version__,
         closed=tuple(map(str, problem.close)),
     )
@@ -190,14 +190,8 @@ def _stretch(net: RoadNetwork, fleet: Fleet, run: Run) -> Stretch:
         inferred_m=float(length[net.inferred[edges]].sum()),
         span=span,
         access=_line(net, run.edges[0]) if way else None,
-        access_at=net.place_name(_meets(net, run.edges[0])) if way else "",
+        access_at=net.place_name(meets(net, run.edges[0])) if way else "",
     )
-
-
-def _meets(net: RoadNetwork, edge: int) -> int:
-    """Return the node where a way beside the road meets it."""
-    tail, head = int(net.tail[edge]), int(net.head[edge])
-    return head if is_beside(net, tail) else tail
 
 
 def _line(net: RoadNetwork, edge: int) -> Line:
@@ -254,44 +248,3 @@ def _stop(net: RoadNetwork, node: int, name: str) -> Stop:
     if edge < 0:
         return Stop(-1, *at, name)
     return Stop(-1, *at, name, edge, float(net.place_share[node - first]))
-
-
-def _inferred(
-    net: RoadNetwork,
-    trips: Sequence[PlannedTrip],
-    runs: Sequence[Run],
-    ways: Sequence[Sequence[int]],
-) -> Iterator[str]:
-    for trip, way in zip(trips, ways, strict=True):
-        edges = np.array([edge for k in way for edge in runs[k].edges], np.int64)
-        inferred = edges[net.inferred[edges]]
-        if len(inferred):
-            yield (
-                f"{trip.vehicle} drives {net.length_m[inferred].sum() / 1000:.1f} km over "
-                f"{len(inferred)} connectors that were inferred, not mapped; check them before "
-                "driving"
-            )
-
-
-def _between_junctions(
-    net: RoadNetwork,
-    trips: Sequence[PlannedTrip],
-    runs: Sequence[Run],
-    ways: Sequence[Sequence[int]],
-) -> Iterator[str]:
-    """Remark ways to a motorway that meet it where the map has no junction."""
-    if not isinstance(net, PlacedNetwork) or net.below is None:
-        return
-    first = net.below.n
-    for trip, way in zip(trips, ways, strict=True):
-        for edge in (edge for k in way for edge in runs[k].edges if net.below_edge[edge] < 0):
-            leaves = is_beside(net, int(net.tail[edge]))
-            node = _meets(net, edge)
-            road = int(net.place_edge[node - first]) if node >= first else -1
-            if road >= 0 and is_closed(net.below, road):
-                yield (
-                    f"{trip.vehicle} {'gets onto' if leaves else 'leaves'} "
-                    f"{net.below.edge_ref(road) or 'the road'} between two junctions, for the map "
-                    f"has none near {trip.origin.name if leaves else trip.destination.name}; check "
-                    "that there is a way"
-                )
