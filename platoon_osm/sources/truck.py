@@ -7,23 +7,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from ..network.restrictions import encode
-from ..vehicles.conditions import CONDITIONAL, apply, has_conditions
+from ..vehicles.conditional_values import CONDITIONAL, has_conditions
+from ..vehicles.conditions import apply
 from ..vehicles.profile import DEFAULT_VEHICLE, VEHICLES
 from .country.rules import TruckRules
+from .restricting_tags import is_restriction, open_to_any, restricting, unread
 from .speeds.of_road import car_kmh, is_speed_tag, truck_kmh
-from .way_sides import (
-    AGAINST,
-    CHANGING,
-    FALSE,
-    TRUE,
-    Layers,
-    for_side,
-    is_restriction,
-    open_to_any,
-    restricting,
-    sides_of,
-    unread,
-)
+from .way_sides import AGAINST, CHANGING, FALSE, SIDES, TRUE, Layers, for_side, sides_of
 
 __all__ = [
     "TOLL_KEYS", "Side", "TruckRules", "WayReading", "dropped", "is_driving_tag", "read_way",
@@ -157,9 +147,7 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
     one_way = _direction(tags, remarks)
     sides = [
         _side(tags, name, layers, counts)
-        for name, layers in zip(
-            ("forward", "backward"), sides_of(tags, one_way, counts), strict=True
-        )
+        for name, layers in zip(SIDES, sides_of(tags, one_way, counts), strict=True)
     ]
     usable = [text is not None and not reason for text, reason in sides]
     # A road that nobody may drive keeps its direction, for the reader of its tags.
@@ -167,10 +155,7 @@ def read_way(tags: Mapping[str, str], rules: TruckRules) -> WayReading:
     if not any(usable):
         direction = one_way
     noted: list[list[str]] = [[], []]
-    ways = [
-        _speeds(tags, side, rules, own)
-        for side, own in zip(("forward", "backward"), noted, strict=True)
-    ]
+    ways = [_speeds(tags, side, rules, own) for side, own in zip(SIDES, noted, strict=True)]
     first = int(direction == BACKWARD)
     last = first if direction != BOTH else 1
     for own in (noted[first], noted[last]):

@@ -79,7 +79,7 @@ RESERVED = ("hov", "psv", "bus", "taxi", "tram", "coach")
 """Keys of those for whom a carriageway may be reserved: `hov=only`, `bus=only`."""
 
 ONLY = frozenset({"only", "required"})
-RESERVED_FOR = {"hov": ONLY | {"designated"}}
+RESERVED_FOR = {**dict.fromkeys(RESERVED, ONLY), "hov": ONLY | {"designated"}}
 """`hov=designated` on a whole carriageway leaves no lane to others; `bus=designated` alone does."""
 
 LANES = ":lanes"
@@ -181,7 +181,7 @@ def deciding(tags: Mapping[str, str], vehicle: Vehicle) -> Iterator[tuple[str, W
     # A truck that is named itself may drive on a carriageway that is reserved for others.
     if own not in ("hgv_articulated", "hgv", "goods"):
         for key in RESERVED:
-            if tags.get(key, "").strip().lower() in RESERVED_FOR.get(key, ONLY):
+            if tags.get(key, "").strip().lower() in RESERVED_FOR[key]:
                 yield key, Way.CLOSED
 
 

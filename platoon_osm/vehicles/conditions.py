@@ -1,8 +1,6 @@
 """Tags that hold under conditions: `maxspeed:conditional = 60 @ (22:00-06:00 AND weight>7.5)`.
 
-A value is a list of rules `value @ condition`, divided by semicolons; semicolons inside of brackets
-belong to the times there. Conditions joined by AND must all hold. Of the rules that hold, the last
-one counts; if none holds, the plain tag stands.
+Of the rules that hold, the last one counts; if none holds, the plain tag stands.
 
 Each condition of a rule is one of these:
 
@@ -20,24 +18,17 @@ Source: https://wiki.openstreetmap.org/wiki/Conditional_restrictions
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from functools import lru_cache
 
+from .conditional_values import CONDITIONAL, OLD_FORMS, Rule, rules_of
 from .hours import LongLat, hours_change, hours_hold, reads_as_hours
 from .profile import Vehicle
 from .vehicle_conditions import Asked, asked_of
 
-__all__ = ["CONDITIONAL", "Rule", "apply", "has_conditions", "next_change", "rules_of"]
-
-CONDITIONAL = ":conditional"
-
-OLD_FORMS = re.compile(r"(^|:)(hour|day|date|week|month)_(on|off)$")
-"""Keys for times from before there were conditions; seen, and not read."""
-
-AND = re.compile(r"\s+AND\s+|\s*&&\s*|(?<=\))\s*AND\s*(?=\()", re.IGNORECASE)
+__all__ = ["apply", "next_change"]
 
 PURPOSES = {
     "destination": "destination", "delivery": "delivery", "deliveries": "delivery",
@@ -54,62 +45,6 @@ LIMITS = ("max", "min", "oneway", "overtaking", "restriction")
 FURTHEST = timedelta(days=366)
 MOST_CHANGES = 2000
 """How far and how often `next_change` looks for a change that matters."""
-
-
-@dataclass(frozen=True, slots=True)
-class Rule:
-    """One rule of a conditional value.
-
-    Attributes
-    ----------
-    value : str
-        What holds under its conditions.
-    conditions : tuple of str
-        All of which must hold; empty for a rule that cannot be read.
-    """
-
-    value: str
-    conditions: tuple[str, ...]
-
-
-@lru_cache(maxsize=20_000)
-def rules_of(text: str) -> tuple[Rule, ...]:
-    """Return the rules of a conditional value, in order.
-
-    Parameters
-    ----------
-    text : str
-        Such as "no @ (22:00-05:00); destination @ (weight>7.5)".
-
-    Returns
-    -------
-    tuple of Rule
-        A rule that cannot be read has no conditions.
-    """
-    parts: list[str] = []
-    for part in _outside(text, ";"):
-        if "@" not in part and parts and "@" in parts[-1]:
-            # Times with semicolons whose brackets were forgotten.
-            parts[-1] += ";" + part
-        elif part.strip():
-            parts.append(part)
-    return tuple(_rule(part) for part in parts)
-
-
-def has_conditions(tags: Mapping[str, str]) -> bool:
-    """Tell whether any of some tags depends on conditions.
-
-    Parameters
-    ----------
-    tags : mapping of str to str
-        Of a road.
-
-    Returns
-    -------
-    bool
-        Conditions of today or of the old form.
-    """
-    return any(key.endswith(CONDITIONAL) or OLD_FORMS.search(key) for key in tags)
 
 
 def apply(
@@ -272,54 +207,3 @@ def _is_hours(condition: str) -> bool:
         and _asked(condition) is None
         and reads_as_hours(condition)
     )
-
-
-def _rule(text: str) -> Rule:
-    value, at, condition = text.partition("@")
-    value, condition = value.strip(), condition.strip()
-    if not at or not value or not condition:
-        return Rule(value, ())
-    parts = [_bare(part) for part in _joined(_bare(condition))]
-    return Rule(value, tuple(parts) if all(parts) else ())
-
-
-def _joined(condition: str) -> Iterator[str]:
-    """Yield what AND joins outside of brackets."""
-    begin = 0
-    for found in AND.finditer(condition):
-        if _depth(condition[: found.start()]) == 0:
-            yield condition[begin : found.start()]
-            begin = found.end()
-    yield condition[begin:]
-
-
-def _bare(text: str) -> str:
-    """Return a text without the brackets around all of it."""
-    text = text.strip()
-    while text.startswith("(") and text.endswith(")") and _closes_at_end(text):
-        text = text[1:-1].strip()
-    return text
-
-
-def _closes_at_end(text: str) -> bool:
-    depth = 0
-    for place, sign in enumerate(text):
-        depth += (sign == "(") - (sign == ")")
-        if depth == 0:
-            return place == len(text) - 1
-    return False
-
-
-def _outside(text: str, divider: str) -> Iterator[str]:
-    """Yield the parts of a text between dividers that stand outside of brackets."""
-    depth, begin = 0, 0
-    for place, sign in enumerate(text):
-        depth = max(0, depth + (sign == "(") - (sign == ")"))
-        if sign == divider and depth == 0:
-            yield text[begin:place]
-            begin = place + 1
-    yield text[begin:]
-
-
-def _depth(text: str) -> int:
-    return text.count("(") - text.count(")")

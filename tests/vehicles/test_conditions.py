@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from platoon_osm.vehicles.conditions import apply, has_conditions, next_change, rules_of
+from platoon_osm.vehicles.conditional_values import has_conditions, rules_of
+from platoon_osm.vehicles.conditions import apply, next_change
 from platoon_osm.vehicles.profile import DEFAULT_VEHICLE as TRUCK
 from platoon_osm.vehicles.profile import VEHICLES, Vehicle
 

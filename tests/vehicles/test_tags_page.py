@@ -4,7 +4,8 @@ import re
 
 from places import ROOT
 
-from platoon_osm.sources.way_sides import NOT_JUDGED, ONLY_SOME
+from platoon_osm.sources.restricting_tags import NOT_JUDGED
+from platoon_osm.sources.way_sides import ONLY_SOME
 from platoon_osm.vehicles.access import BARRIERS, CHAIN, HAZARDOUS, RESERVED, VALUES, Way
 from platoon_osm.vehicles.limits import LIMITS
 

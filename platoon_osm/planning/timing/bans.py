@@ -29,8 +29,9 @@ from .hours_check import beside_edges, broken_hours
 from .hours_remarks import breaking, kept
 from .lawful import lawful_starts
 from .limits import NOTHING_ASKED, Window, first_named, windows_of
+from .on_the_spot import edge_times
 from .pieces import pieces_of
-from .road_hours import RoadHours, edge_times
+from .road_hours import RoadHours
 from .schedule import NEAR_S, settled
 from .stops import cut_plan, stops_within
 from .unjudged import without_times

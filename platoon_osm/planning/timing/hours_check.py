@@ -19,10 +19,12 @@ from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...vehicles.access import Way
 from ...vehicles.closures import Closures
-from ...vehicles.conditions import has_conditions, next_change
+from ...vehicles.conditional_values import has_conditions
+from ...vehicles.conditions import next_change
 from ...vehicles.judgement import judge
 from ...vehicles.profile import Vehicle
-from .road_hours import BESIDE, country_of_edge, edge_times, local_clock, midpoint
+from .on_the_spot import country_of_edge, edge_times, local_clock, midpoint
+from .road_hours import BESIDE
 
 __all__ = ["Broken", "broken_hours"]
 

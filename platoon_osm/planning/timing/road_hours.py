@@ -3,18 +3,12 @@
 Times are seconds from one moment. If it has a zone, so have all: a ban by the clocks of Rome and
 one by those of Zagreb are moments. If it has none, all countries are taken to go by the same
 clocks.
-Within a stretch the time to drive it is shared among its edges as for a lone truck.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
-from itertools import pairwise
-from zoneinfo import ZoneInfo
-
-import numpy as np
 
 from ...driving.bans.judging import banned
 from ...driving.bans.rules import Road, bans_of
@@ -22,15 +16,14 @@ from ...network.road_network import RoadNetwork
 from ...plans.records import Stretch
 from ...vehicles.access import Way
 from ...vehicles.closures import Closures
-from ...vehicles.conditions import has_conditions, next_change
+from ...vehicles.conditional_values import has_conditions
+from ...vehicles.conditions import next_change
 from ...vehicles.judgement import judge
 from ...vehicles.profile import Vehicle
 from .forbidden import Interval, Section, united
+from .on_the_spot import LocalClock, country_of_edge, edge_times, local_clock, midpoint
 
-__all__ = [
-    "BESIDE", "LocalClock", "RoadHours", "country_of_edge", "edge_times", "local_clock",
-    "midpoint",
-]  # fmt: skip
+__all__ = ["BESIDE", "RoadHours"]
 
 BESIDE = Road("other", "")
 """What a way beside the road counts as."""
@@ -193,109 +186,3 @@ class RoadHours:
 
     def _from_local(self, at: datetime, clock: LocalClock) -> float:
         return self._seconds(at if clock.zone is None else at.replace(tzinfo=clock.zone))
-
-
-@dataclass(frozen=True, slots=True)
-class LocalClock:
-    """What clocks on the spot show.
-
-    Attributes
-    ----------
-    zone : tzinfo or None
-        None if all moments are without one.
-    """
-
-    zone: ZoneInfo | None
-
-    def __call__(self, at: datetime) -> datetime:
-        """Return what they show at a moment, without a zone."""
-        return (at if self.zone is None else at.astimezone(self.zone)).replace(tzinfo=None)
-
-
-def local_clock(country: str, start: datetime) -> LocalClock:
-    """Return the clocks of a country.
-
-    Parameters
-    ----------
-    country : str
-        Two letters; of one that is not known, clocks go as those of the plan.
-    start : datetime
-        A moment of the plan.
-
-    Returns
-    -------
-    LocalClock
-        Turns moments into what they show.
-    """
-    if start.tzinfo is None:
-        return LocalClock(None)
-    bans = bans_of(country)
-    zone = ZoneInfo(bans.zone) if bans else start.tzinfo
-    return LocalClock(zone)  # type: ignore[arg-type]
-
-
-def country_of_edge(net: RoadNetwork, edge: int) -> str:
-    """Return the country of an edge.
-
-    Parameters
-    ----------
-    net : RoadNetwork
-        The network.
-    edge : int
-        Its position.
-
-    Returns
-    -------
-    str
-        Two letters; empty if it is not known.
-    """
-    return net.texts[int(net.country[edge])][:2].upper()
-
-
-def midpoint(net: RoadNetwork, edge: int) -> tuple[float, float]:
-    """Return a place on an edge.
-
-    Parameters
-    ----------
-    net : RoadNetwork
-        The network.
-    edge : int
-        Its position.
-
-    Returns
-    -------
-    (float, float)
-        Longitude and latitude of its head.
-    """
-    head = int(net.head[edge])
-    return float(net.lon[head]), float(net.lat[head])
-
-
-def edge_times(net: RoadNetwork, stretch: Stretch) -> list[tuple[float, float]]:
-    """Return when the edges of a stretch are driven, after its start.
-
-    Parameters
-    ----------
-    net : RoadNetwork
-        The network whose edges it names.
-    stretch : Stretch
-        With edges.
-
-    Returns
-    -------
-    list of (float, float)
-        Seconds.
-    """
-    edges = np.array(stretch.edges)
-    times = net.length_m[edges] / net.speed_mps[edges]
-    begin, end = stretch.span
-    if len(edges) == 1:
-        times = times * (end - begin)
-    else:
-        times[0] *= 1 - begin
-        times[-1] *= end
-    ends = np.cumsum(times)
-    if ends[-1] > 0:
-        ends *= stretch.drive_s / ends[-1]
-    bounds = [0.0, *ends.tolist()]
-    return list(pairwise(bounds))

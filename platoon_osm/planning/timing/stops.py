@@ -13,7 +13,7 @@ from ...costs.share import Share
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.records import Stretch
-from .road_hours import edge_times
+from .on_the_spot import edge_times
 
 __all__ = ["Cut", "cut_plan", "stops_within"]
 

@@ -11,7 +11,7 @@ from ...plans.text_table import listed
 from ...vehicles.access import Way
 from ...vehicles.closures import Closures
 from ...vehicles.profile import Vehicle
-from .road_hours import country_of_edge
+from .on_the_spot import country_of_edge
 
 __all__ = ["without_times"]
 

@@ -16,10 +16,10 @@ from functools import cache
 from itertools import chain, product
 from typing import Any
 
+from ..restricting_tags import ALONE
 from ..slopes import INCLINE_TAGS
 from ..speeds.of_road import KIND_KEYS
 from ..truck import is_driving_tag
-from ..way_sides import ALONE
 
 __all__ = ["IDS", "holds_roads", "id_of", "tags_of"]
 

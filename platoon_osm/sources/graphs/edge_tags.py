@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...network.road_network import ROAD_CLASSES
+from ..restricting_tags import is_restriction
 from ..road_choice import RoadChoice
 from ..speeds.texts import read_speed_kmh
 from ..truck import TOLL_KEYS, is_driving_tag
-from ..way_sides import FALSE, is_restriction
+from ..way_sides import FALSE
 from .graph_arrays import Attributes
 from .graph_values import flag, parts
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...network.restrictions import Layer
 from ...vehicles.access import BARRIERS, CHAIN, Way, barrier_way
-from ..way_sides import is_restriction, restricting
+from ..restricting_tags import is_restriction, restricting
 from .raw_osm import RawMap, TagReader
 
 __all__ = ["barrier_layers"]

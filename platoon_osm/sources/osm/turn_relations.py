@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from ...network.preparing.turns import ForbiddenTurn
 from ...network.restrictions import Layer
 from ...vehicles.access import CHAIN
-from ...vehicles.conditions import CONDITIONAL
+from ...vehicles.conditional_values import CONDITIONAL
 from .raw_osm import RawMap, TagReader
 
 __all__ = ["Segments", "forbidden_turns"]

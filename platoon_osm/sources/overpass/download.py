@@ -19,11 +19,12 @@ from ...vehicles.access import LOCKED
 from ...vehicles.limits import LIMITS
 from ..file_identity import ATTRIBUTION, LICENCE, osm_source
 from ..graphs.osmnx_graph import network_from_osmnx
+from ..restricting_tags import ALONE, LIMITED_FOR
 from ..slopes import INCLINE_TAGS
 from ..speeds.of_road import KIND_KEYS
 from ..speeds.zones import ZONE_KEYS
 from ..truck import TruckRules
-from ..way_sides import ALONE, LIMITED_FOR, ONLY_SOME
+from ..way_sides import ONLY_SOME
 
 __all__ = ["SUFFIXES", "download", "osmnx_settings", "read_bounds"]
 
