@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from places import ROOT
 
 from platoon_osm.costs.tolls.charges import due_m, route_tolls, toll_per_m
 from platoon_osm.costs.tolls.table import ROADS, looked_up, toll_of, tolls
@@ -52,6 +53,27 @@ def test_the_table_has_every_country_and_each_is_consistent():
     for roads, classes in ROADS.items():
         assert set(classes) <= set(ROAD_CLASSES), roads
         assert "ferry" not in classes
+
+
+def row(toll):
+    """Return a country as the page on tolls has it."""
+    limit = f"{'from' if toll.inclusive else 'over'} {toll.limit_t:g} t" if toll.limit_t else "all"
+    figure = ""
+    if toll.rate is not None:
+        figure = f"{toll.rate:g} {toll.currency}/km ({toll.year})"
+    if toll.per_day is not None:
+        figure = f"{toll.per_day:g} {toll.currency} a day ({toll.year})"
+    source = "; looked up: ".join(filter(None, (toll.source, toll.page)))
+    cells = (toll.code, toll.kind, toll.roads, limit, figure, source, toll.note)
+    return f"| {' | '.join(cells)} |"
+
+
+def test_the_page_has_the_table():
+    page = (ROOT / "docs" / "tolls.md").read_text("utf-8")
+    shown = page[page.index("<!-- tolls:begin -->") : page.index("<!-- tolls:end -->")]
+    assert [line for line in shown.splitlines() if line.startswith("| ")][2:] == [
+        row(toll) for toll in tolls().values()
+    ]
 
 
 def test_a_state_has_the_toll_of_its_country():
