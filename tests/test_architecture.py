@@ -20,7 +20,7 @@ WALLS = {
         "costs", "plans", "driving", "planning", "report", "study", "cli",
     ),
     "network": ("towns", "preparing", "saved"),
-    "sources": ("country", "speeds", "stops", "graphs", "osm", "overpass", "gis"),
+    "sources": ("country", "speeds", "stops", "graphs", "osm", "overpass", "gis", "overture"),
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "costs": ("tolls",),

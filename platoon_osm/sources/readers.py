@@ -9,6 +9,7 @@ imported when they are called, so that reading this list costs nothing.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
@@ -67,6 +68,8 @@ class Reader:
         What the file begins with, if that tells it whatever its name; else empty.
     follows_rules : bool
         Whether speeds come from the truck's rules; a saved network keeps its own.
+    fits : callable or None
+        Tells by its content whether a file is of this kind, where others have the same suffix.
     """
 
     name: str
@@ -75,6 +78,7 @@ class Reader:
     read: Reads
     begins: bytes = b""
     follows_rules: bool = True
+    fits: Callable[[Path], bool] | None = None
 
     def __post_init__(self) -> None:
         proper = isinstance(self.suffixes, tuple) and all(
@@ -129,6 +133,18 @@ def _overpass(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork
     return read_overpass_cache(path, classes, rules)
 
 
+def _overture(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
+    from .overture.reader import read_overture
+
+    return read_overture(path, classes, rules)
+
+
+def _is_overture(path: Path) -> bool:
+    from .overture.segments import is_overture
+
+    return is_overture(path)
+
+
 def _saved(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
     from ..network.saved.store import open_network
     from .osm.extract import MOTORWAY_CLASSES
@@ -143,9 +159,8 @@ def _saved(path: Path, classes: Classes, rules: TruckRules, /) -> RoadNetwork:
 
 OSM = (".osm.pbf", ".osm", ".osm.gz", ".osm.bz2", ".osh", ".osh.pbf", ".osh.gz", ".osc", ".osc.gz")
 
-LINES = (
-    ".geojson", ".geojsonl", ".geojsons", ".geojsonseq", ".parquet", ".geoparquet", ".fgb", ".shp",
-)  # fmt: skip
+SEGMENTS = (".parquet", ".geoparquet", ".geojson", ".geojsonl", ".geojsons", ".geojsonseq")
+LINES = (*SEGMENTS, ".fgb", ".shp")
 
 READERS: Registry[Reader] = Registry(
     "reader",
@@ -154,6 +169,7 @@ READERS: Registry[Reader] = Registry(
         Reader("graphml", (".graphml",), "GraphML saved by OSMnx, or of ETISplus", _graphml),
         Reader("geopackage", (".gpkg",), "GeoPackage of lines, or saved by OSMnx", _geopackage),
         Reader("lines", LINES, "lines with tags, as a GIS has them", _lines),
+        Reader("overture", SEGMENTS, "segments of Overture", _overture, fits=_is_overture),
         Reader("overpass", (".json",), "answer of Overpass, as OSMnx caches it", _overpass),
         Reader("saved", (".platoon",), "network saved by this package", _saved, MAGIC, False),
     ),
@@ -194,8 +210,8 @@ def reader_of(path: Path) -> Reader:
         if reader.begins and start.startswith(reader.begins):
             return reader
         fits = [len(suffix) for suffix in reader.suffixes if name.endswith(suffix)]
-        # Of two readers for one suffix the later one was added by the user.
-        if fits and max(fits) >= length:
+        # Of two readers for one suffix the later one was added by the user, or looks inside.
+        if fits and max(fits) >= length and (reader.fits is None or reader.fits(path)):
             found, length = reader, max(fits)
     return found
 

@@ -19,6 +19,7 @@ from typing import Any
 from ..restricting_tags import ALONE
 from ..slopes import INCLINE_TAGS
 from ..speeds.of_road import KIND_KEYS
+from ..stops.features import is_stop_tag
 from ..truck import is_driving_tag
 
 __all__ = ["IDS", "holds_roads", "id_of", "tags_of"]
@@ -107,7 +108,7 @@ def tags_of(row: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _is_read(key: str) -> bool:
-    return key in NAMES or key in ("barrier", "locked") or is_driving_tag(key)
+    return key in NAMES or key in ("barrier", "locked") or is_driving_tag(key) or is_stop_tag(key)
 
 
 @cache

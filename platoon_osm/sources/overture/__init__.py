@@ -1,0 +1,1 @@
+"""Segments of Overture Maps' transportation theme."""
