@@ -338,8 +338,10 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
             # Only nodes that may say anything are looked at from Python.
             telling = osmium.filter.KeyFilter("ele", *dict.fromkeys(key for key, _ in NODE_TAGS))
             telling.enable_for(osmium.osm.NODE)
-            chosen = (telling, _Heights(collector.heights), wanted, collector)
             versions = has_versions(path, reader.header())
+            # A later version of a node may say nothing any more, and counts all the same.
+            before = () if versions else (telling,)
+            chosen = (*before, _Heights(collector.heights), wanted, collector)
             index = node_index(path) if versions else osmium.index.create_map("flex_mem")
             locations = osmium.NodeLocationsForWays(index)
             locations.ignore_errors()

@@ -188,6 +188,19 @@ def test_the_last_version_of_a_node_counts(tmp_path):
     assert told(net, 2, 1) == (0, 30, 1)
 
 
+def test_a_height_that_was_taken_back_is_none_any_more(tmp_path):
+    file = tmp_path / "history.osh"
+    file.write_text(
+        '<osm version="0.6"><node id="1" version="1" lon="9.0" lat="45.0"><tag k="ele" v="200"/>'
+        '</node><node id="2" version="1" lon="9.01" lat="45.0"><tag k="ele" v="900"/></node>'
+        '<node id="2" version="2" lon="9.01" lat="45.0"/><node id="3" version="1" lon="9.02" '
+        'lat="45.0"><tag k="ele" v="230"/></node><way id="1" version="1"><nd ref="1"/>'
+        '<nd ref="2"/><nd ref="3"/><tag k="highway" v="primary"/></way></osm>'
+    )
+    net = load_network(file, classes=["primary"], country="IT")
+    assert told(net, 1, 3) == (30, 0, 1)
+
+
 def brute_force(nodes, ways):
     """Return climb, descent, known length by (tail, head) of each segment, in plain loops."""
     found = {}
