@@ -61,7 +61,18 @@ class Parts:
     counts: Counter[str] = field(default_factory=Counter)
 
     def node(self, lon: float, lat: float) -> int:
-        """Add a node."""
+        """Add a node.
+
+        Parameters
+        ----------
+        lon, lat : float
+            Degrees.
+
+        Returns
+        -------
+        int
+            Its number.
+        """
         number = -1 - len(self.nodes)
         self.nodes[number] = MapNode(lon, lat, {})
         return number

@@ -27,6 +27,7 @@ WANTED = (
 )  # fmt: skip
 REMEDY = "download segments of the theme transportation again"
 HEAD = 1 << 16
+ROUNDED = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,12 +55,36 @@ class Segment:
     about: Mapping[str, Any] = field(default_factory=dict)
 
     def rules(self, kind: str, low: float, high: float) -> list[Mapping[str, Any]]:
-        """Return the rules of a kind that hold on a part, in their order."""
+        """Return the rules of a kind that hold on a part.
+
+        Parameters
+        ----------
+        kind : str
+            Name of a list of rules, such as "speed_limits".
+        low, high : float
+            Where the part begins and ends, 0 to 1; no rule begins or ends in between.
+
+        Returns
+        -------
+        list of mapping
+            In their order.
+        """
         middle = (low + high) / 2
         return [rule for rule in self.about.get(kind) or () if _holds(rule, middle)]
 
     def breaks(self, kinds: Sequence[str]) -> list[float]:
-        """Return where connectors are and rules of some kinds begin or end, rising."""
+        """Return where connectors are and rules of some kinds begin or end.
+
+        Parameters
+        ----------
+        kinds : sequence of str
+            Names of lists of rules.
+
+        Returns
+        -------
+        list of float
+            From 0 to 1, rising.
+        """
         found = {0.0, 1.0, *(at for at, _ in self.connectors)}
         for kind in kinds:
             for rule in self.about.get(kind) or ():
@@ -160,7 +185,8 @@ def _segment(file: Path, row: dict[str, Any]) -> Segment:
     steps = distance_m(points[:-1, 0], points[:-1, 1], points[1:, 0], points[1:, 1])
     along = np.concatenate([[0.0], np.cumsum(steps)])
     share = along / along[-1] if along[-1] > 0 else np.linspace(0.0, 1.0, len(points))
-    connectors = sorted((float(one["at"]), str(one["connector_id"])) for one in row["connectors"])
-    if any(not 0 <= at <= 1 for at, _ in connectors):
+    told = [(float(one["at"]), str(one["connector_id"])) for one in row["connectors"]]
+    connectors = sorted((min(max(at, 0.0), 1.0), own) for at, own in told)
+    if any(not -ROUNDED <= at <= 1 + ROUNDED for at, _ in told):
         raise MapDataError(f"{file}: segment {name} has a connector off its line; {REMEDY}")
     return Segment(name, points, share, tuple(connectors), row)
