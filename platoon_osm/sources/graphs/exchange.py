@@ -42,8 +42,9 @@ def to_networkx(net: RoadNetwork) -> networkx.MultiDiGraph[int]:
     `node_id`. Nodes have `x`, `y` [deg] and, where a junction is signed, `highway`, `name`, `ref`.
     Edges have `osmid`, `highway`, `ref`, `name`, `oneway` (always True: both directions are edges
     of their own), `maxspeed` [km/h, text], `length` [m], `speed_kph`, `travel_time` [s], `toll`,
-    `inferred`, `geometry` where the edge is not straight, and two that make the way back exact:
-    `edge_id` and `speed_mps`. Service areas and towns (`net.points`) have no place in a graph.
+    `inferred`, `climb_m`, `descent_m` and their like, `geometry` where the edge is not straight,
+    and two that make the way back exact: `edge_id` and `speed_mps`. Service areas and towns
+    (`net.points`) have no place in a graph.
 
     Parameters
     ----------

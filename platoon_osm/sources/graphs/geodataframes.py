@@ -38,7 +38,7 @@ def to_geodataframes(
     edges : GeoDataFrame
         Index `edge_id`, columns `tail`, `head` (node positions), `tail_id`, `head_id`
         (OpenStreetMap ids), `highway`, `ref`, `name`, `length_m`, `speed_mps`, `toll`,
-        `inferred`, `way_id`, lines.
+        `inferred`, `climb_m`, `descent_m` and their like, `way_id`, lines.
     """
     import geopandas
     import shapely

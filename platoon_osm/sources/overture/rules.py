@@ -17,7 +17,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from ...vehicles.access import CHAIN
-from ...vehicles.conditions import CONDITIONAL
+from ...vehicles.conditional_values import CONDITIONAL
 
 __all__ = ["BACKWARD", "EVERYBODY", "FORWARD", "access_tags", "keys_of", "speed_tags", "when_text"]
 

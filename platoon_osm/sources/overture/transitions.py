@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from ...vehicles.conditions import CONDITIONAL
+from ...vehicles.conditional_values import CONDITIONAL
 from ..osm.tables import MapTurn
 from .parts import Part, Parts
 from .rules import BACKWARD, EVERYBODY, FORWARD, keys_of, when_text
