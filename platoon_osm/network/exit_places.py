@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from .antimeridian import mean_longitude_deg
 from .exit_numbers import ExitNumbers, ExitReading, exit_readings
 from .geodesy import distance_m
 from .naming import node_name, towns_around
@@ -76,7 +77,7 @@ def place_of(net: RoadNetwork, nodes: list[int], kind: str) -> NamedPlace:
     """
     name = node_name(net, nodes[0])
     refs = frozenset(ref for node in nodes for ref in net.incident_refs(node))
-    lon, lat = float(net.lon[nodes].mean()), float(net.lat[nodes].mean())
+    lon, lat = mean_longitude_deg(net.lon[nodes]), float(net.lat[nodes].mean())
     # An exit that has a name too is a junction of that name.
     kind = "junction" if net.junction_name(nodes[0]).strip() else kind
     return NamedPlace(

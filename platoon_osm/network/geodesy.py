@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .antimeridian import wrapped_deg
+
 __all__ = ["bearing_deg", "distance_m", "east_north_m", "metres_per_degree"]
 
 SEMI_MAJOR_AXIS_M = 6_378_137.0
@@ -124,6 +126,6 @@ def bearing_deg(
     """
     lon1, lat1, lon2, lat2 = (np.asarray(v, np.float64) for v in (lon1, lat1, lon2, lat2))
     per_lon, per_lat = metres_per_degree((lat1 + lat2) / 2)
-    east, north = (lon2 - lon1) * per_lon, (lat2 - lat1) * per_lat
+    east, north = wrapped_deg(lon2 - lon1) * per_lon, (lat2 - lat1) * per_lat
     result: NDArray[np.float64] = np.degrees(np.arctan2(east, north)) % 360
     return result

@@ -9,6 +9,7 @@ from typing import Any, Literal
 import numpy as np
 
 from ..errors import NetworkError, brief
+from .antimeridian import wrapped_deg
 
 __all__ = ["Location", "Place", "PlaceLike", "RoadPoint", "Role", "format_position", "plain_place"]
 
@@ -186,12 +187,13 @@ def format_position(lon: float, lat: float) -> str:
     Parameters
     ----------
     lon, lat : float
-        Degrees, east and north positive.
+        Degrees, east and north positive; longitudes beyond 180 are counted on.
 
     Returns
     -------
     str
         Latitude first, three decimals, about 100 m.
     """
+    lon = float(wrapped_deg(lon))
     north, east = "N" if lat >= 0 else "S", "E" if lon >= 0 else "W"
     return f"{abs(lat):.3f} {north} {abs(lon):.3f} {east}"

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .antimeridian import mean_longitude_deg
 from .geodesy import distance_m
 from .road_network import POINT_KINDS, RoadNetwork, format_position
 from .spelling import fold, road_keys
@@ -96,7 +97,7 @@ class PlaceIndex:
         for code, nodes in by_name.items():
             for group in clusters(net, nodes):
                 refs = frozenset(ref for v in group for ref in net.incident_refs(v))
-                lon, lat = float(net.lon[group].mean()), float(net.lat[group].mean())
+                lon, lat = mean_longitude_deg(net.lon[group]), float(net.lat[group].mean())
                 self._add(NamedPlace(net.texts[code], "junction", lon, lat, tuple(group), refs))
         points = net.points
         for i in np.flatnonzero(points.kind >= POINT_KINDS.index("city")):

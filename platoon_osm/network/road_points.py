@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from .antimeridian import wrapped_deg
 from .geodesy import metres_per_degree
 from .road_network import RoadNetwork
 from .shapes import ragged_order
@@ -87,9 +88,9 @@ def _nearest(net: RoadNetwork, edges: Index, lon: float, lat: float) -> RoadPoin
         return RoadPoints(edges, np.zeros(0), np.zeros(0))
     points, first = ragged_order(net.shape_first, edges)
     per_lon, per_lat = metres_per_degree(lat)
-    x = _wrapped(net.shape_lon[points] - lon) * per_lon
+    x = wrapped_deg(net.shape_lon[points] - lon) * per_lon
     y = (net.shape_lat[points] - lat) * per_lat
-    dx, dy = _wrapped(np.diff(net.shape_lon[points])) * per_lon, np.diff(y)
+    dx, dy = wrapped_deg(np.diff(net.shape_lon[points])) * per_lon, np.diff(y)
     joint = first[1:-1] - 1
     dx[joint] = dy[joint] = 0.0
     square = dx**2 + dy**2
@@ -131,20 +132,14 @@ def points_along(shape: Floats, shares: Floats) -> tuple[Floats, Floats]:
     """
     per_lon, _ = metres_per_degree(shape[:, 1])
     _, per_lat = metres_per_degree(shape[:, 1])
-    east = _wrapped(np.diff(shape[:, 0])) * (per_lon[1:] + per_lon[:-1]) / 2
+    east = wrapped_deg(np.diff(shape[:, 0])) * (per_lon[1:] + per_lon[:-1]) / 2
     north = np.diff(shape[:, 1]) * (per_lat[1:] + per_lat[:-1]) / 2
     before = np.concatenate([[0.0], np.cumsum(np.hypot(east, north))])
     position = np.interp(shares * before[-1], before, np.arange(len(shape), dtype=np.float64))
     piece = np.clip(position.astype(np.int64), 0, len(shape) - 2)
     part = (position - piece)[:, None]
     step = np.diff(shape, axis=0)
-    step[:, 0] = _wrapped(step[:, 0])
+    step[:, 0] = wrapped_deg(step[:, 0])
     points = shape[piece] + part * step[piece]
-    points[:, 0] = _wrapped(points[:, 0])
+    points[:, 0] = wrapped_deg(points[:, 0])
     return points, position
-
-
-def _wrapped(degrees: Floats) -> Floats:
-    """Return differences of longitude the short way round, between -180 and 180."""
-    result: Floats = np.where(np.abs(degrees) > 180, (degrees + 180) % 360 - 180, degrees)
-    return result

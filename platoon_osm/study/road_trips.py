@@ -13,7 +13,9 @@ from numpy.typing import NDArray
 
 from ..errors import MapDataError, ScenarioError, brief
 from ..kinds import is_whole
+from ..network.antimeridian import near_deg
 from ..network.geodesy import distance_m, east_north_m
+from ..network.preparing.unrolled import centre_longitude_deg
 from ..network.road_network import RoadNetwork
 from .random_network import Draw
 
@@ -137,7 +139,8 @@ class RoadTrips:
             found = self._by_distance(rng) if self.flows is None else self._by_flows(rng)
             if found is not None:
                 net = self.net
-                x, y = east_north_m(net.lon, net.lat, float(net.lat.mean()))
+                lon = near_deg(net.lon, centre_longitude_deg(net))
+                x, y = east_north_m(lon, net.lat, float(net.lat.mean()))
                 access = np.zeros(net.m, bool)
                 return Draw(net, *found, access, x - x.min(), y - y.min(), 0, impossible)
         raise ScenarioError(

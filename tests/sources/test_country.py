@@ -35,6 +35,7 @@ def test_towns_of_the_world_lie_in_their_countries():
         (15.63, 38.21, "IT"),  # the strait of Messina
         (-30.0, 40.0, ""), (float("nan"), 45.0, ""),
         (-117.0, 32.53, "MX"), (-114.6, 35.0, "US-AZ"), (179.99, -16.8, "FJ"),
+        (179.99, -19.0, "FJ"), (-179.99, -18.7, "FJ"),  # islands beyond the antimeridian
     ],
 )  # fmt: skip
 def test_near_borders_and_off_coasts(lon, lat, code):

@@ -29,6 +29,7 @@ from ..columns import lengthened
 from ..geodesy import bearing_deg, distance_m, metres_per_degree
 from ..road_network import ROAD_CLASSES, RoadNetwork, checked_network
 from .split import split_edges
+from .unrolled import unrolled
 
 __all__ = ["infer_links"]
 
@@ -99,11 +100,12 @@ def infer_links(net: RoadNetwork, reach_m: float = 200.0) -> RoadNetwork:
     if not proper:
         shown = " ".join(repr(reach_m).split())[:80]
         raise NetworkError(f"network: reach_m {shown}: give metres, from 0 to 100,000")
-    segments = _segments(checked_network(net))
-    crossing = _crossings(net, segments)
-    passing = _passes(net, segments, reach_m)
-    ends = _ends(net, segments, reach_m)
-    turning = _turning_places(net, segments, reach_m)
+    plane = unrolled(checked_network(net))
+    segments = _segments(plane)
+    crossing = _crossings(plane, segments)
+    passing = _passes(plane, segments, reach_m)
+    ends = _ends(plane, segments, reach_m)
+    turning = _turning_places(plane, segments, reach_m)
     links = _on_land(net, _joined(crossing, passing, ends, turning))
     cut, nodes = split_edges(
         net,

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...errors import NetworkError
+from ..antimeridian import continued_deg, wrapped_deg
 from ..columns import Column, lengthened, shared_columns
 from ..geodesy import distance_m
 from ..making import checked_edges, in_its_type
@@ -63,6 +64,7 @@ def split_edges(
     for group in np.split(order, np.flatnonzero(np.diff(where[order])) + 1) if len(order) else []:
         edge = int(where[group[0]])
         shape = net.shape(edge)
+        counted_on = continued_deg(shape[:, 0])
         steps = distance_m(shape[:-1, 0], shape[:-1, 1], shape[1:, 0], shape[1:, 1])
         measured = np.concatenate([[0.0], np.cumsum(steps)])
         # The edge's length is what the map says; its shape may measure a little differently.
@@ -77,7 +79,8 @@ def split_edges(
             if measured[-1] - position < AT_AN_END_M:
                 node_of_cut[cut] = net.head[edge]
                 continue
-            point = np.array([np.interp(position, measured, shape[:, axis]) for axis in (0, 1)])
+            crossing = np.interp(position, measured, counted_on)
+            point = np.array([wrapped_deg(crossing), np.interp(position, measured, shape[:, 1])])
             node = len(lon)
             lon.append(point[0])
             lat.append(point[1])

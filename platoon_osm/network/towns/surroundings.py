@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..antimeridian import middle_longitude_deg, near_deg
 from ..geodesy import distance_m, metres_per_degree
 from ..location import format_position
 from ..nearest_point import NearestPoint
@@ -213,7 +214,9 @@ class TownsAround:
         if not len(self._lon):
             return np.zeros(0, np.int64)
         table = self._table
-        west, east = float(self._lon.min()), float(self._lon.max())
+        # Counted on across the antimeridian, so that the box is no wider than it must be.
+        own = near_deg(self._lon, middle_longitude_deg(self._lon))
+        west, east = float(own.min()), float(own.max())
         south, north = float(self._lat.min()), float(self._lat.max())
         farthest = min(max(abs(south), abs(north)) + 1.0, 89.0)
         per_lon = float(metres_per_degree(farthest)[0])

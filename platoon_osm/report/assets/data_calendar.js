@@ -91,7 +91,7 @@ return (chosen) => {
         ...(end === undefined ? [] : [`DTEND:${moment(end)}`]),
         "SUMMARY:" + escaped(`${nameOf(plan.vehicles[index])}: ${what}`),
         `LOCATION:${escaped(name)}`,
-        `GEO:${lat};${lon}`,
+        `GEO:${lat};${Math.abs(lon) > 180 ? Number((lon - 360 * Math.round(lon / 360)).toFixed(6)) : lon}`,
         `DESCRIPTION:${escaped([text, detail, credits].filter(Boolean).join("\n"))}`,
         "END:VEVENT",
       );

@@ -44,11 +44,36 @@ function csv(chosen) {
 
 // -- GeoJSON ------------------------------------------------------------------------------------
 
+/* A line is cut where it crosses the antimeridian, as RFC 7946 asks for (network/antimeridian.py). */
+function geometryOf(line) {
+  const pieces = [[]];
+  const put = (lon, lat) => pieces.at(-1).push([lon, lat]);
+  const turnOf = (lon) => Math.floor((lon + 180) / 360);
+  const outside = line.some(([, lon]) => Math.abs(lon) > 180);
+  let turn = outside ? turnOf(line[0][1]) : 0;
+  line.forEach(([lat, lon], i) => {
+    while (outside && turn !== turnOf(lon)) {
+      const [south, west] = line[i - 1];
+      const side = Math.sign(turnOf(lon) - turn);
+      const share = (360 * turn + 180 * side - west) / (lon - west);
+      const at = Number((south + share * (lat - south)).toFixed(6));
+      put(180 * side, at);
+      turn += side;
+      pieces.push([]);
+      put(-180 * side, at);
+    }
+    put(turn ? Number((lon - 360 * turn).toFixed(6)) : lon, lat);
+  });
+  const lines = pieces.filter((piece) => new Set(piece.map(String)).size > 1);
+  if (lines.length > 1) return { type: "MultiLineString", coordinates: lines };
+  return { type: "LineString", coordinates: lines[0] ?? pieces[0] };
+}
+
 function geojson(chosen) {
   const features = chosen.flatMap(legsOf).map(({ row, line }) => ({
     type: "Feature",
     properties: row,
-    geometry: { type: "LineString", coordinates: line.map(([lat, lon]) => [lon, lat]) },
+    geometry: geometryOf(line),
   }));
   return JSON.stringify({ type: "FeatureCollection", attribution: credits, features });
 }
@@ -77,7 +102,7 @@ function gpx(chosen) {
     parent.append(made);
     return made;
   };
-  const degrees = (lat, lon) => ({ lat: lat.toFixed(6), lon: lon.toFixed(6) });
+  const degrees = (lat, lon) => ({ lat: lat.toFixed(6), lon: (lon - 360 * Math.round(lon / 360)).toFixed(6) });
   const stamped = (parent, at) => {
     if (clock?.zoned && typeof at === "number") add(parent, "time", clock.utc(at));
   };

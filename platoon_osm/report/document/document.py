@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...costs.weights import EdgeWeights
+from ...network.preparing.unrolled import unrolled
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...shown_text import fitted
@@ -137,9 +138,10 @@ def document_of(
 
 
 def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) -> Document:
+    plane = unrolled(net)
     vehicles = tuple(vehicle(found, index) for index in range(len(plan.vehicles)))
     stops = [(s.lon, s.lat) for one in vehicles for s in (one.origin, one.destination)]
-    around = surroundings(net, stops)
+    around = surroundings(plane, stops)
     near = plan_frame(found)
     return Document(
         format="platoon_osm report",
@@ -173,9 +175,10 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         schedule=timeline(plan),
         inferred_routes=tuple(inferred_routes(found)),
         towns=around.towns,
-        junctions=junction_labels(net, near),
+        junctions=junction_labels(plane, near),
         basemap=Basemap(
-            network_lines(net, near, inferred=False), network_lines(net, near, inferred=True)
+            network_lines(plane, near, inferred=False),
+            network_lines(plane, near, inferred=True),
         ),
         ground=around.ground,
         provenance=around.told_in(provenance(plan, net, found.unit)),

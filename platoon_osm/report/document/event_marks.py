@@ -73,7 +73,7 @@ def event_mark(found: Findings, number: int) -> EventMark:
     details = (_detail(found, event), _waiting(found, event, at_s))
     return EventMark(
         kind=event.kind,
-        lon=round(point.lon, 6),
+        lon=round(found.longitude(point.lon), 6),
         lat=round(point.lat, 6),
         name=fitted(point.name),
         vehicles=event.movers,

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ...costs.weights import EdgeWeights
+from ...network.antimeridian import near_deg
+from ...network.preparing.unrolled import centre_longitude_deg, unrolled
 from ...network.road_network import RoadNetwork
 from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
@@ -34,7 +36,8 @@ class Findings:
     plan : Plan
         What is told, laid out in whole edges.
     net : RoadNetwork
-        Where it drives, cut where its stretches begin and end.
+        Where it drives, cut where its stretches begin and end; laid on a plane, so that longitudes
+        of a network across the antimeridian may lie beyond 180.
     unit : CostUnit
         How its costs are printed.
     styles : tuple of VehicleStyle
@@ -55,6 +58,8 @@ class Findings:
         The common scale of distance, not rounded.
     levels : tuple of float or None
         Where each vehicle starts on the scale of its own group; None if that has none.
+    centre : float
+        The meridian in the middle of the network [deg].
     """
 
     plan: Plan
@@ -70,6 +75,22 @@ class Findings:
     moments: tuple[float | None, ...]
     scale: JourneyScale | None
     levels: tuple[float | None, ...]
+    centre: float
+
+    def longitude(self, lon: float) -> float:
+        """Return where a longitude lies on the map: as far round the globe as the network.
+
+        Parameters
+        ----------
+        lon : float
+            Degrees, as the plan has it.
+
+        Returns
+        -------
+        float
+            Degrees; the same away from the antimeridian.
+        """
+        return float(near_deg(lon, self.centre))
 
     def letters(self, vehicles: Sequence[int]) -> list[str]:
         """Return what some vehicles are called in pictures.
@@ -122,6 +143,7 @@ def find(
     check_plan(plan, net)
     check_styles(styles, plan)
     plan, net = laid_out(with_alone_costs(plan, net, weights), net)
+    net = unrolled(net)
     names = [trip.vehicle for trip in plan.trips]
     looks = vehicle_styles(names) if styles is None else [styles[name] for name in names]
     groups = tuple(one.vehicles for one in plan.platoons if len(one.vehicles) > 1)
@@ -143,6 +165,7 @@ def find(
         moments=tuple(moment_of(plan, event) for event in plan.events),
         scale=journey(plan, groups),
         levels=levels(plan, groups),
+        centre=centre_longitude_deg(net),
     )
 
 

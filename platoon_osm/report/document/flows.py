@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ...network.preparing.unrolled import unrolled
 from ...network.road_network import RoadNetwork
 from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
@@ -174,6 +175,7 @@ def _flows(plan: Plan, net: RoadNetwork) -> Iterator[Flow]:
     """Yield the roads used, for each number of vehicles that drive on them."""
     count: Counter[int] = Counter()
     plan, net = laid_out(plan, net)
+    net = unrolled(net)
     for vehicle in plan.vehicles:
         count.update({edge for leg in vehicle.legs if leg.access is None for edge in leg.edges})
     edges = np.array(sorted(count), np.int64)

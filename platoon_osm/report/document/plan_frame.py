@@ -33,7 +33,7 @@ def plan_frame(found: Findings) -> Frame:
     edges = np.unique([edge for one in found.plan.stretches for edge in one.edges])
     nodes = np.append(net.tail[edges.astype(np.int64)], net.head[edges.astype(np.int64)])
     stops = [stop for one in found.plan.vehicles for stop in (one.origin, one.destination)]
-    lon = [*net.lon[nodes].tolist(), *(stop.lon for stop in stops)]
+    lon = [*net.lon[nodes].tolist(), *(found.longitude(stop.lon) for stop in stops)]
     lat = [*net.lat[nodes].tolist(), *(stop.lat for stop in stops)]
     wide = max(LEAST_MARGIN, MARGIN * (max(lon) - min(lon)))
     high = max(LEAST_MARGIN, MARGIN * (max(lat) - min(lat)))

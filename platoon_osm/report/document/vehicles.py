@@ -77,8 +77,8 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         cap=style.cap,
         role=role,
         role_text=role_text(role),
-        origin=_stop(own.origin),
-        destination=_stop(own.destination),
+        origin=_stop(found, own.origin),
+        destination=_stop(found, own.destination),
         length_m=own.length_m,
         length_text=kilometres(own.length_m),
         alone_length_m=own.alone.length_m,
@@ -125,5 +125,5 @@ def _access(own: VehiclePlan) -> str:
     )
 
 
-def _stop(stop: PlannedStop) -> Stop:
-    return Stop(round(stop.lon, 6), round(stop.lat, 6), fitted(stop.name))
+def _stop(found: Findings, stop: PlannedStop) -> Stop:
+    return Stop(round(found.longitude(stop.lon), 6), round(stop.lat, 6), fitted(stop.name))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...network.antimeridian import continued_deg
 from ...network.geodesy import metres_per_degree
 from ...network.road_network import RoadNetwork
 from ...network.shapes import ragged_order
@@ -93,6 +94,7 @@ def route_line(net: RoadNetwork, edges: tuple[int, ...]) -> Line:
     if not edges:
         return Line.rounded((), ROUTE_STEPS)
     points = net.path_shape(edges)
+    points[:, 0] = continued_deg(points[:, 0])
     import shapely
 
     scale = metre_scale(net)

@@ -47,7 +47,7 @@ class Layer:
     frame : DataFrame or GeoDataFrame
         Its rows.
     geometry : str or None
-        "Point" or "LineString"; None for a table without shapes.
+        "Point", "LineString" or "MultiLineString"; None for a table without shapes.
     key : str
         What its column of row numbers is called.
     """

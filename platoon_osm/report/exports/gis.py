@@ -20,6 +20,7 @@ from ..document.provenance import credits, proof_text
 from ..document.roads import roads_of
 from ..document.wording import plan_unit
 from ..drawing.vehicle_styles import vehicle_styles
+from .drawn_lines import drawn_edges, drawn_line, line_layer
 from .geopackage import Layer, changed_at, write_layers
 from .legs import leg_columns, leg_rows
 from .qgis_styles import STYLES, style_rows
@@ -35,6 +36,7 @@ CRS = "EPSG:4326"
 def to_geodataframe(plan: Plan, net: RoadNetwork) -> geopandas.GeoDataFrame:
     """Return the legs of all vehicles, one a row, as lines in EPSG:4326.
 
+    A leg that crosses the antimeridian is cut there into a MultiLineString, as RFC 7946 asks for.
     Columns: vehicle, vehicle_role, leg (from 1), role, partners, origin, destination, roads,
     length_m, time_s, fuel_l, cost, cost_unit, inferred_m, attribution. A plan with times adds
     start_time and end_time (ISO 8601) and waiting_s, the wait before the leg. Legs without road
@@ -93,10 +95,10 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
     data_of = plan.network.extracted or net.source.extracted
     styles = style_rows(names, vehicle_styles(names), changed_at(data_of))
     layers = [
-        Layer("routes", routes, "LineString"),
-        Layer("platoons", _platoons(cut, platoons, names), "LineString"),
+        line_layer("routes", routes),
+        line_layer("platoons", _platoons(cut, platoons, names)),
         Layer("points", _points(plan, plan.events, names), "Point"),
-        Layer("network", _network(net), "LineString"),
+        line_layer("network", _network(net)),
         Layer("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
         Layer(STYLES, styles, None, key="id"),  # QGIS calls it so
     ]
@@ -106,9 +108,8 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
 
 def _lines_frame(columns: Mapping[str, Any], lines: Iterable[Any]) -> geopandas.GeoDataFrame:
     import geopandas
-    import shapely
 
-    shapes = [shapely.linestrings(points) for points in lines]
+    shapes = [drawn_line(points) for points in lines]
     return geopandas.GeoDataFrame(
         dict(columns), geometry=geopandas.GeoSeries(shapes, crs=CRS), crs=CRS
     )
@@ -167,9 +168,7 @@ def _time_column(plan: Plan, moments: Sequence[float | None]) -> dict[str, list[
 
 def _network(net: RoadNetwork) -> geopandas.GeoDataFrame:
     import geopandas
-    import shapely
 
-    owner = np.repeat(np.arange(net.m), np.diff(net.shape_first))
     texts = [shown(text) for text in net.texts]
     return geopandas.GeoDataFrame(
         {
@@ -183,7 +182,7 @@ def _network(net: RoadNetwork) -> geopandas.GeoDataFrame:
             "toll": net.toll,
             "inferred": net.inferred,
         },
-        geometry=shapely.linestrings(net.shape_lon, net.shape_lat, indices=owner),
+        geometry=drawn_edges(net),
         crs=CRS,
     )
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...atomic_file import all_or_none, whole_file
 from ...csv_tables import write_table
+from ...network.antimeridian import wrapped_deg
 from ...network.road_network import RoadNetwork
 from ...output_paths import checked_folder
 from ...plans.laid_out import laid_out
@@ -97,7 +98,7 @@ def _gpx(
     left_out = [TIMES_LEFT_OUT] if times is not None and stamp is None else []
     _child(about, "desc", " \u00b7 ".join([*credits(plan, net), *left_out]))
     for kind, place, moment in _waypoints(vehicle, times):
-        point = _child(root, "wpt", lat=_degrees(place.lat), lon=_degrees(place.lon))
+        point = _child(root, "wpt", lat=_degrees(place.lat), lon=_longitude(place.lon))
         if stamp and moment is not None:
             _child(point, "time", stamp(moment))
         _child(point, "name", f"{kind}: {shown(place.name)}")
@@ -117,7 +118,7 @@ def _gpx(
             shape = net.path_shape(leg.edges)
             moments = None if times is None else _along(shape, *times.legs[number])
             for k, (lon, lat) in enumerate(shape):
-                point = _child(segment, "trkpt", lat=_degrees(lat), lon=_degrees(lon))
+                point = _child(segment, "trkpt", lat=_degrees(lat), lon=_longitude(lon))
                 if stamp and moments is not None:
                     _child(point, "time", stamp(float(moments[k])))
     return root
@@ -148,6 +149,7 @@ def _waypoints(
 def _along(shape: NDArray[np.float64], begin: float, end: float) -> NDArray[np.float64]:
     """Return a moment for each point of a leg's line, in proportion to the distance [s]."""
     step = np.diff(shape, axis=0)
+    step[:, 0] = wrapped_deg(step[:, 0])
     step[:, 0] *= np.cos(np.radians(shape[:-1, 1]))
     reached = np.concatenate([[0.0], np.cumsum(np.hypot(step[:, 0], step[:, 1]))])
     return begin + (end - begin) * reached / (reached[-1] or 1.0)
@@ -159,6 +161,12 @@ def _ends(vehicle: VehiclePlan) -> str:
 
 def _degrees(value: float) -> str:
     return f"{float(value):.6f}"
+
+
+def _longitude(value: float) -> str:
+    """Return a longitude as GPX has it: from -180, and below 180."""
+    text = _degrees(value)
+    return "-180.000000" if text == "180.000000" else text
 
 
 def _child(

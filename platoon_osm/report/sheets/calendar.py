@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from datetime import UTC, datetime
 
+from ...network.antimeridian import wrapped_deg
 from ...plans.clock import MENTIONED_S, Clock
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
@@ -76,7 +77,7 @@ def calendar(
         event.add("summary", f"{name}: {what}")
         event.add("location", said.place)
         place = steps[number].place
-        event.add("geo", (round(place.lat, 6), round(place.lon, 6)))
+        event.add("geo", (round(place.lat, 6), round(float(wrapped_deg(place.lon)), 6)))
         told = (said.what, said.wait, said.without, said.way, said.at, " \u00b7 ".join(credits))
         event.add("description", "\n".join(text for text in told if text))
         made.add_component(event)

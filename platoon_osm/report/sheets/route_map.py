@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from ...shown_text import fitted
+from ..document.findings import Findings
 from ..document.model import Document
 from ..document.model_map import EventMark
 from ..language.speech import say
@@ -25,11 +26,15 @@ BEYOND_PX = 200.0
 """How far the ground reaches beyond the map, which has another shape than its frame on paper."""
 
 
-def own_document(document: Document, index: int, steps: Sequence[Step]) -> Document:
+def own_document(
+    found: Findings, document: Document, index: int, steps: Sequence[Step]
+) -> Document:
     """Return a document that knows one vehicle only, as if nobody else were on the road.
 
     Parameters
     ----------
+    found : Findings
+        Of the plan.
     document : Document
         Of the plan.
     index : int
@@ -66,7 +71,7 @@ def own_document(document: Document, index: int, steps: Sequence[Step]) -> Docum
     events = tuple(
         EventMark(
             kind="merge" if step.joined else "separation",
-            lon=step.place.lon,
+            lon=found.longitude(step.place.lon),
             lat=step.place.lat,
             name=fitted(step.place.name),
             vehicles=(0,),

@@ -118,7 +118,7 @@ def sheet(journey: Journey) -> Piece:
 
 
 def _map(journey: Journey, key: str, layout: Layout) -> Piece:
-    own = own_document(journey.document, journey.index, journey.steps)
+    own = own_document(journey.found, journey.document, journey.index, journey.steps)
     height = layout.map_mm * MAP_PX / MAP_WIDTH_MM
     return Piece("sheet-figure", {"map": route_map(own, key, (MAP_PX, height))})
 

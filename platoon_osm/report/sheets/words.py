@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ...network.antimeridian import wrapped_deg
 from ...plans.clock import Clock, duration
 from ...plans.plan import Plan
 from ...shown_text import fitted, shortened
@@ -71,7 +72,7 @@ def coordinates(lon: float, lat: float) -> str:
     str
         Such as "45.47120, 8.65430", in every language.
     """
-    return f"{lat:.5f}, {lon:.5f}"
+    return f"{lat:.5f}, {float(wrapped_deg(lon)):.5f}"
 
 
 class Teller:

@@ -8,6 +8,7 @@ ferry, is that of the nearest country within 20 km.
 from __future__ import annotations
 
 import functools
+import math
 from pathlib import Path
 from typing import Any
 
@@ -115,15 +116,17 @@ class Outlines:
 
         per_lon, per_lat = (float(value) for value in metres_per_degree(lat))
         reach = NEAR_M / min(per_lon, per_lat)
-        area = shapely.box(lon - reach, lat - reach, lon + reach, lat + reach)
         best, least = -1, NEAR_M
-        for k in self._tree.query(area).tolist():
-            near = shapely.get_coordinates(
-                shapely.shortest_line(shapely.points(lon, lat), self._polygons[k])
-            )
-            metres = float(np.hypot(*((near[1] - near[0]) * (per_lon, per_lat))))
-            if metres < least:
-                best, least = k, metres
+        # Outlines end at the antimeridian: land on its other side is looked for from there.
+        for x in (lon, lon - math.copysign(360.0, lon)):
+            area = shapely.box(x - reach, lat - reach, x + reach, lat + reach)
+            for k in self._tree.query(area).tolist():
+                near = shapely.get_coordinates(
+                    shapely.shortest_line(shapely.points(x, lat), self._polygons[k])
+                )
+                metres = float(np.hypot(*((near[1] - near[0]) * (per_lon, per_lat))))
+                if metres < least:
+                    best, least = k, metres
         return best
 
 

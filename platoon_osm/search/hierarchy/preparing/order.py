@@ -13,6 +13,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ....network.antimeridian import middle_longitude_deg, near_deg
 from ..runtime.jit import compiled
 from ..runtime.threads import run_all
 from .inertial_flow import bisect
@@ -88,7 +89,7 @@ def contraction_order(first: Ints, head: Ints, lon: Floats, lat: Floats, threads
     """
     n = len(lon)
     order = np.empty(n, np.int32)
-    x = lon * np.cos(np.radians(lat.mean() if n else 0.0))
+    x = near_deg(lon, middle_longitude_deg(lon)) * np.cos(np.radians(lat.mean() if n else 0.0))
     y = np.ascontiguousarray(lat)
     slots, degree = head.copy(), np.diff(first).astype(np.int32)
     done = _contract_thin(first, slots, degree, order)
