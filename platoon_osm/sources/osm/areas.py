@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..stops.features import STOP_TAGS
 from .file_kind import osm_file
 
-__all__ = ["area_outlines", "areas_of"]
+__all__ = ["area_outlines", "areas_of", "lines_of"]
 
 STOPS = frozenset(f"{key}={value}" for key, value in STOP_TAGS)
 AREAS = frozenset({"type=multipolygon", "type=boundary", "type=site"})
@@ -43,7 +43,7 @@ def area_outlines(path: Path, relations: Sequence[Relation]) -> tuple[Area, ...]
         Id, tags and points (k, 2) of its largest ring; of an area that is not whole all points
         that are there, and none where none is.
     """
-    return areas_of(relations, lambda wanted: _ways(path, wanted))
+    return areas_of(relations, lambda wanted: lines_of(path, wanted))
 
 
 def areas_of(
@@ -75,7 +75,21 @@ def areas_of(
     )
 
 
-def _ways(path: Path, ids: set[int]) -> dict[int, Floats]:
+def lines_of(path: Path, ids: set[int]) -> dict[int, Floats]:
+    """Read the points of some ways.
+
+    Parameters
+    ----------
+    path : Path
+        An OSM file.
+    ids : set of int
+        Of the ways.
+
+    Returns
+    -------
+    dict of int to ndarray of float, (k, 2)
+        Longitude and latitude [deg] of the nodes that the file has.
+    """
     import osmium
 
     found: dict[int, Floats] = {}

@@ -40,6 +40,7 @@ from ..truck import (
     read_way,
 )
 from .barriers import barrier_layers
+from .borders import within_borders
 from .climbs import drawn_slopes
 from .ferries import crossing_mps, duration_s, is_ferry, read_ferry
 from .places import MapPoint, map_stops, map_tunnels
@@ -261,14 +262,15 @@ def _interpret(raw: RawMap, classes: set[str], rules: TruckRules) -> _Ways:
 
 
 def _countries(raw: RawMap, rules: TruckRules) -> list[str]:
-    """Return the country of each way: that asked for, else that of its first known node."""
+    """Return the country of each way: that asked for, else where its first known node lies."""
     known = np.flatnonzero(np.isfinite(raw.lon))
     at = np.append(known, len(raw.lon))[np.searchsorted(known, raw.first[:-1])]
     own = at < raw.first[1:]
     lon, lat = (
         np.where(own, np.append(values, np.nan)[at], np.nan) for values in (raw.lon, raw.lat)
     )
-    return countries_of(rules, lon, lat)
+    found = countries_of(rules, lon, lat)
+    return found if rules.country else within_borders(raw.borders, lon, lat, found)
 
 
 def _crossing_mps(raw: RawMap, way: int, read_tags: TagReader, default: float) -> float:

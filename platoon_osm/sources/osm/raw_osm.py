@@ -26,7 +26,8 @@ from ...network.load_report import Source
 from ...vehicles.access import BARRIERS, CHAIN
 from ..file_identity import osm_source
 from ..stops.features import STOP_TAGS, is_for_others
-from .areas import area_outlines
+from .areas import area_outlines, lines_of
+from .borders import BORDER, Border, borders_of, code_of
 from .file_kind import osm_file
 from .josm import deleted_ways, new_node_positions, xml_items
 from .patchwork import fill_in, has_versions, last_states, newest, node_index
@@ -84,6 +85,8 @@ class RawMap:
         Id, tags as OPL text and members (kind, id, role) of each relation that forbids turns.
     areas : tuple[tuple[int, str, ndarray], ...]
         Id, tags as OPL text and outline (k, 2) of each relation that is an area where trucks stop.
+    borders : tuple of Border
+        Areas of countries and states whose border is whole.
     left_out : mapping of str to int
         How many ways were left out, by reason.
     height_of : ndarray of int64, (h,)
@@ -102,6 +105,7 @@ class RawMap:
     nodes: tuple[tuple[int, str, float, float], ...]
     turns: tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
     areas: tuple[tuple[int, str, NDArray[np.float64]], ...]
+    borders: tuple[Border, ...]
     left_out: Mapping[str, int]
     height_of: NDArray[np.int64]
     heights: tuple[str, ...]
@@ -151,6 +155,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         nodes=tuple(_node(path, line) for line in nodes),
         turns=tuple(one for one in related if TURN in one[1]),
         areas=area_outlines(path, [one for one in related if TURN not in one[1]]),
+        borders=borders_of(related, TagReader(bool), lambda wanted: lines_of(path, wanted)),
         left_out={},
         height_of=np.fromiter(sorted(found.heights), np.int64, len(found.heights)),
         heights=tuple(found.heights[node] for node in sorted(found.heights)),
@@ -274,7 +279,9 @@ class _Collector:
             self._add_node(node)
 
     def relation(self, relation: Any) -> None:
-        if not is_for_others(relation.tags):
+        # Boundaries are many, of parishes and parks too.
+        bounds = relation.tags.get(BORDER[0]) == BORDER[1] and "highway" not in relation.tags
+        if not is_for_others(relation.tags) and (not bounds or code_of(relation.tags)):
             self._add_relation(relation)
 
     def way(self, way: Any) -> None:
@@ -334,7 +341,7 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
         collector = _Collector(writer)
         kinds = osmium.osm.NODE | osmium.osm.WAY | osmium.osm.RELATION
         with osmium.io.Reader(osm_file(path), kinds) as reader:
-            wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS, *TURN_TAGS)
+            wanted = osmium.filter.TagFilter(*tags, *NODE_TAGS, *TURN_TAGS, BORDER)
             # Only nodes that may say anything are looked at from Python.
             telling = osmium.filter.KeyFilter("ele", *dict.fromkeys(key for key, _ in NODE_TAGS))
             telling.enable_for(osmium.osm.NODE)

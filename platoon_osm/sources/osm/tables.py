@@ -12,12 +12,14 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...errors import MapDataError
 from ...network.load_report import Source
 from ..stops.features import is_for_others
 from .areas import areas_of
-from .raw_osm import NODE_TAGS, TURN_TAGS, RawMap
+from .borders import borders_of
+from .raw_osm import NODE_TAGS, TURN_TAGS, RawMap, TagReader
 
 __all__ = ["MapNode", "MapTurn", "MapWay", "raw_map"]
 
@@ -106,6 +108,17 @@ def raw_map(
             f"{what}: no road of class {', '.join(classes)}; found: {told or 'no road at all'}; "
             "choose other classes or a larger area"
         )
+    related = [(turn.number, _text(turn.tags), turn.members) for turn in turns]
+
+    def lines_of(wanted: set[int]) -> dict[int, NDArray[np.float64]]:
+        return {
+            way.number: np.array(
+                [nodes[node][:2] for node in way.nodes if node in nodes], np.float64
+            ).reshape(-1, 2)
+            for way in ways
+            if way.number in wanted
+        }
+
     high = sorted(number for number, node in nodes.items() if "ele" in node.tags)
     sizes = [len(way.nodes) for way in kept]
     refs = [node for way in kept for node in way.nodes]
@@ -124,25 +137,17 @@ def raw_map(
             for number, node in nodes.items()
             if _is_wanted(node.tags)
         ),
-        turns=tuple(
-            (turn.number, _text(turn.tags), turn.members)
-            for turn in turns
-            if ("type", turn.tags.get("type", "")) in TURN_TAGS
-        ),
-        areas=areas_of(
-            [(turn.number, _text(turn.tags), turn.members) for turn in turns],
-            lambda wanted: {
-                way.number: np.array(
-                    [nodes[node][:2] for node in way.nodes if node in nodes], np.float64
-                ).reshape(-1, 2)
-                for way in ways
-                if way.number in wanted
-            },
-        ),
+        turns=tuple(one for one, turn in zip(related, turns, strict=True) if _forbids(turn.tags)),
+        areas=areas_of(related, lines_of),
+        borders=borders_of(related, TagReader(bool), lines_of),
         left_out=dict(counts),
         height_of=np.array(high, np.int64),
         heights=tuple(nodes[number].tags["ele"] for number in high),
     )
+
+
+def _forbids(tags: Tags) -> bool:
+    return ("type", tags.get("type", "")) in TURN_TAGS
 
 
 def _is_wanted(tags: Tags) -> bool:
