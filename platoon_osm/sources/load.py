@@ -47,7 +47,7 @@ def load_network(
         Values of `highway` to load; a saved network is opened as it is.
     country : str, optional
         ISO code whose speed limits for trucks apply ("IT", "DE", "US-CA"), on all roads; without
-        it, each road has those of its own country, found by the outlines of countries.
+        it, each road has those of the country where it lies: by the map's borders or by outlines.
     limiter_kmh : float, optional
         What the trucks' speed limiter allows [km/h]; without it, what is customary in the country
         (90 in Europe and where nothing is known, none in the United States).

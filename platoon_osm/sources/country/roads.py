@@ -61,7 +61,7 @@ def law_told(rules: TruckRules, found: Sequence[str], remedy: str) -> str:
     told = [f"{_law_of_trucks(known)} {where}"] if known else []
     if others:
         told.append(f"no limit for trucks in {', '.join(others)}, for none is in the table")
-    return " and ".join(told) + ", by the outlines of countries"
+    return " and ".join(told) + ", by where they lie"
 
 
 def _law_of_trucks(codes: Sequence[str]) -> str:
