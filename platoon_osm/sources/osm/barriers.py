@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...network.restrictions import Layer
 from ...vehicles.access import BARRIERS, CHAIN, Way, barrier_way
 from ..restricting_tags import is_restriction, restricting
-from .raw_osm import RawMap, TagReader
+from .raw_map import RawMap, TagReader
 
 __all__ = ["barrier_layers"]
 

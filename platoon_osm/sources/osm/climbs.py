@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ...network.geodesy import distance_m
 from ..slopes import STEEPEST, read_height_m
-from .raw_osm import RawMap
+from .raw_map import RawMap
 
 __all__ = ["Climbs", "drawn_slopes"]
 

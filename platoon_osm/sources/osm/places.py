@@ -13,7 +13,7 @@ from ...vehicles.judgement import TUNNEL
 from ..stops.features import is_stop_tag, read_stop
 from ..stops.merging import StopPlace, merged_stops
 from ..stops.sides import RoadSides
-from .raw_osm import RawMap, TagReader
+from .raw_map import RawMap, TagReader
 
 __all__ = ["MapPoint", "map_stops", "map_tunnels"]
 

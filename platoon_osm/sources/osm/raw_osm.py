@@ -8,12 +8,8 @@ each node and tag from Python, and no Python runs for objects that are not roads
 from __future__ import annotations
 
 import hashlib
-import re
 import tempfile
-import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from itertools import compress
+from collections.abc import Sequence
 from math import nan
 from pathlib import Path
 from typing import Any
@@ -22,93 +18,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import MapDataError
-from ...network.load_report import Source
-from ...vehicles.access import BARRIERS, CHAIN
 from ..file_identity import osm_source
-from ..stops.features import STOP_TAGS, is_for_others
+from ..stops.features import is_for_others
 from .areas import area_outlines, lines_of
-from .borders import BORDER, Border, borders_of, code_of
+from .borders import BORDER, borders_of, code_of
+from .file_faults import bad_node, misnamed, off_the_globe, why
 from .file_kind import osm_file
-from .josm import deleted_ways, new_node_positions, xml_items
+from .josm import deleted_ways, new_node_positions
 from .patchwork import fill_in, has_versions, last_states, newest, node_index
+from .raw_map import NODE_TAGS, TURN, TURN_TAGS, RawMap, TagReader, unescaped, without_ways
 
-__all__ = ["OsmNameError", "RawMap", "TagReader", "read_raw"]
-
-NODE_TAGS = (
-    ("highway", "motorway_junction"), *STOP_TAGS, ("place", "city"), ("place", "town"),
-    *(("barrier", kind) for kind in (*BARRIERS, "yes") if kind),
-)  # fmt: skip
-
-TURN_TAGS = tuple(
-    ("type", kind)
-    for kind in ("restriction", *(f"restriction:{whom}" for whom in (*CHAIN, "conditional")))
-)
-"""Relations that forbid turns, to all or to some."""
-TURN = "type=restriction"
-"""What the tags of such a relation have, as OPL writes them."""
-
-UNDEFINED_COORDINATE = 2**31 - 1
-"""What libosmium stores where a file has no coordinate."""
-
-CUT_SHORT = ("EOF", "read close", "truncated", "Unexpected end", "zlib", "bzip2")
-"""What libosmium and its readers say of files that end too early."""
+__all__ = ["OsmNameError", "read_raw"]
 
 WKB_HEADER = 18
 """Hex digits of a WKB line before its points: byte order, type and number of points."""
 
-ESCAPE = re.compile(r"%([0-9a-f]{1,6})%")
-
 
 class OsmNameError(MapDataError):
     """A file whose name tells libosmium nothing, nor do its first bytes."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RawMap:
-    """Ways and named nodes as they stand in the file.
-
-    Attributes
-    ----------
-    way_id : ndarray of int64, (w,)
-        Ids of the ways.
-    way_tags : tuple of str, (w,)
-        Each way's tags, still as OPL text; equal tags are equal texts.
-    first : ndarray of int64, (w + 1,)
-        Where each way's nodes begin.
-    ref : ndarray of int64, (k,)
-        Node ids along the ways.
-    lon, lat : ndarray of float, (k,)
-        Degrees; NaN where the file lacks the node.
-    nodes : tuple[tuple[int, str, float, float], ...]
-        Id, tags as OPL text, lon and lat of each tagged node.
-    turns : tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
-        Id, tags as OPL text and members (kind, id, role) of each relation that forbids turns.
-    areas : tuple[tuple[int, str, ndarray], ...]
-        Id, tags as OPL text and outline (k, 2) of each relation that is an area where trucks stop.
-    borders : tuple of Border
-        Areas of countries and states whose border is whole.
-    left_out : mapping of str to int
-        How many ways were left out, by reason.
-    height_of : ndarray of int64, (h,)
-        Ids of the nodes that have an `ele`, rising.
-    heights : tuple of str, (h,)
-        What it says.
-    """
-
-    source: Source
-    way_id: NDArray[np.int64]
-    way_tags: tuple[str, ...]
-    first: NDArray[np.int64]
-    ref: NDArray[np.int64]
-    lon: NDArray[np.float64]
-    lat: NDArray[np.float64]
-    nodes: tuple[tuple[int, str, float, float], ...]
-    turns: tuple[tuple[int, str, tuple[tuple[str, int, str], ...]], ...]
-    areas: tuple[tuple[int, str, NDArray[np.float64]], ...]
-    borders: tuple[Border, ...]
-    left_out: Mapping[str, int]
-    height_of: NDArray[np.int64]
-    heights: tuple[str, ...]
 
 
 def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
@@ -167,14 +94,14 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
         ids = [way for way, why in found.gone.items() if why == reason]
         gone = np.isin(raw.way_id, np.array(ids, np.int64))
         version = version[~gone]
-        raw = _left_out(raw, gone, f"ways left out: {reason}")
+        raw = without_ways(raw, gone, f"ways left out: {reason}")
     deleted = found.deleted | (deleted_ways(path) if found.generator == "JOSM" else set())
     if deleted:
         gone = np.isin(raw.way_id, np.fromiter(deleted, np.int64, len(deleted)))
         version = version[~gone]
-        raw = _left_out(raw, gone, "ways left out: deleted")
+        raw = without_ways(raw, gone, "ways left out: deleted")
     again = newest(raw.way_id, version)
-    return _left_out(raw, again, "ways left out: listed again further on")
+    return without_ways(raw, again, "ways left out: listed again further on")
 
 
 def _place_new_nodes(path: Path, raw: RawMap) -> None:
@@ -185,64 +112,6 @@ def _place_new_nodes(path: Path, raw: RawMap) -> None:
         for k, node in zip(at.tolist(), raw.ref[at].tolist(), strict=True):
             if node in places:
                 raw.lon[k], raw.lat[k] = _on_the_globe(path, node, *places[node])
-
-
-def _left_out(raw: RawMap, gone: NDArray[np.bool_], reason: str) -> RawMap:
-    """Return the map without some ways, and their number among `left_out`."""
-    if not gone.any():
-        return raw
-    size = np.diff(raw.first)
-    points = np.repeat(~gone, size)
-    return replace(
-        raw,
-        way_id=raw.way_id[~gone],
-        way_tags=tuple(compress(raw.way_tags, (~gone).tolist())),
-        first=np.concatenate([[0], np.cumsum(size[~gone])]).astype(np.int64),
-        ref=raw.ref[points],
-        lon=raw.lon[points],
-        lat=raw.lat[points],
-        left_out={**raw.left_out, reason: int(gone.sum())},
-    )
-
-
-class TagReader:
-    """Reads the tags of OPL lines, `key=value` pairs with special characters as %hex%.
-
-    Most pairs of a map are repeated thousands of times and most keys say nothing about driving, so
-    each distinct pair is decoded once, and only if its key is wanted.
-
-    Parameters
-    ----------
-    wanted : callable
-        Says whether a key is wanted.
-    """
-
-    def __init__(self, wanted: Callable[[str], bool]) -> None:
-        self._wanted = wanted
-        self._pairs: dict[str, tuple[str, str] | None] = {}
-
-    def __call__(self, text: str) -> dict[str, str]:
-        """Return the wanted tags of one object."""
-        known = self._pairs
-        tags = {}
-        for part in text.split(","):
-            try:
-                pair = known[part]
-            except KeyError:
-                pair = known[part] = self._decode(part)
-            if pair is not None:
-                tags[pair[0]] = pair[1]
-        return tags
-
-    def _decode(self, part: str) -> tuple[str, str] | None:
-        key, _, value = part.partition("=")
-        if not self._wanted(_unescape(key)):
-            return None
-        return _unescape(key), _unescape(value)
-
-
-def _unescape(text: str) -> str:
-    return ESCAPE.sub(lambda found: chr(int(found.group(1), 16)), text)
 
 
 class _Collector:
@@ -297,7 +166,7 @@ class _Collector:
         try:
             self.shapes.append(self._line(way, self._all)[WKB_HEADER:])
         except self._unfit:
-            if any(_off_the_globe(node.location) for node in way.nodes):
+            if any(off_the_globe(node.location) for node in way.nodes):
                 raise
             points = [
                 (node.location.lon, node.location.lat) if node.location.valid() else (nan, nan)
@@ -323,11 +192,6 @@ class _Heights:
         elif self._heights:
             # A later version of a node may have lost it.
             self._heights.pop(node.id, None)
-
-
-def _off_the_globe(location: Any) -> bool:
-    """Tell a place that is none on earth from one that is merely not known."""
-    return location.x != UNDEFINED_COORDINATE and not location.valid()
 
 
 def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Collector:
@@ -363,84 +227,17 @@ def _filter_to_opl(path: Path, tags: list[tuple[str, str]], opl: Path) -> _Colle
         writer.close()
     except osmium.InvalidLocationError as error:
         raise MapDataError(
-            f"{path}: {_bad_node(path)} has coordinates that are no place on earth ({error}); "
+            f"{path}: {bad_node(path)} has coordinates that are no place on earth ({error}); "
             "correct or remove it"
         ) from error
     except (RuntimeError, ValueError) as error:
-        misnamed, said = _misnamed(path), " ".join(str(error).split())[:200]
-        if not misnamed and "file format" in said:
+        other_kind, said = misnamed(path), " ".join(str(error).split())[:200]
+        if not other_kind and "file format" in said:
             raise OsmNameError(
                 f"{path}: not an OSM file by its name; use .osm.pbf, .osm, .osm.gz or .osm.bz2"
             ) from error
-        raise MapDataError(f"{path}: {misnamed or _why(said)}") from error
+        raise MapDataError(f"{path}: {other_kind or why(said)}") from error
     return collector
-
-
-BEGINNINGS = (
-    (0, b"\x1f\x8b", "packed with gzip", (".gz",)),
-    (0, b"BZh", "packed with bzip2", (".bz2",)),
-    (0, b"<?xml", "XML", (".osm", ".xml")),
-    (0, b"<osm", "XML", (".osm", ".xml")),
-    (6, b"OSMHeader", "PBF", (".pbf",)),
-)
-"""What stands at which place of a file, what the file then is, and how its name should end."""
-
-
-def _misnamed(path: Path) -> str:
-    """Say so if the content of a file is of another kind than its name tells libosmium."""
-    with path.open("rb") as handle:
-        begin = handle.read(16)
-    for at, marker, kind, suffixes in BEGINNINGS:
-        if begin[at:].startswith(marker) and path.suffix.lower() not in suffixes:
-            name = suffixes[0] if suffixes[0] == ".osm" else f".osm{suffixes[0]}"
-            return f"its content is {kind}, its name says otherwise; rename it to end in {name}"
-    return ""
-
-
-def _why(said: str) -> str:
-    """Say in one line what libosmium found wrong, and what to do."""
-    if any(word in said for word in CUT_SHORT):
-        return f"the file is cut short or damaged ({said}); download it again"
-    if "Write failed" in said or "No space" in said:
-        # What is read is filtered into a temporary file first.
-        return (
-            f"cannot be read, for there is no room for temporary files in {tempfile.gettempdir()} "
-            f"({said}); free some, or name another folder in TMPDIR"
-        )
-    return f"not a readable OSM file ({said}); download the extract again"
-
-
-def _bad_node(path: Path) -> str:
-    """Name the first node off the globe, for the error message only."""
-    import osmium
-
-    last = 0
-    nodes: Any = osmium.FileProcessor(osm_file(path), osmium.osm.NODE)
-    try:
-        for node in nodes:
-            if _off_the_globe(node.location):
-                return f"node {node.id}"
-            last = node.id
-    except (osmium.InvalidLocationError, RuntimeError):
-        # The reader itself stumbles over a coordinate that is no number.
-        return _bad_xml_node(path) or (f"the node after node {last}" if last else "a node")
-    return "a node"
-
-
-def _bad_xml_node(path: Path) -> str:
-    """Name the first node of an XML file whose coordinates are no numbers within the globe."""
-    try:
-        for item in xml_items(path):
-            if item.tag == "node":
-                try:
-                    lon, lat = float(item.get("lon", "0")), float(item.get("lat", "0"))
-                except ValueError:
-                    return f"node {item.get('id')}"
-                if not (abs(lon) <= 180 and abs(lat) <= 90):
-                    return f"node {item.get('id')}"
-    except (OSError, EOFError, LookupError, ElementTree.ParseError):
-        pass
-    return ""
 
 
 def _split_lines(opl: Path) -> tuple[list[list[str]], list[list[str]], list[list[str]]]:
@@ -470,7 +267,7 @@ def _relation(line: list[str]) -> tuple[int, str, tuple[tuple[str, int, str], ..
     for part in line[2][1:].rstrip("\n").split(","):
         place, _, role = part.partition("@")
         if place:
-            members.append((place[0], int(place[1:]), _unescape(role)))
+            members.append((place[0], int(place[1:]), unescaped(role)))
     return int(line[0][1:]), line[1][1:], tuple(members)
 
 

@@ -19,7 +19,7 @@ from ...network.load_report import Source
 from ..stops.features import is_for_others
 from .areas import areas_of
 from .borders import borders_of
-from .raw_osm import NODE_TAGS, TURN_TAGS, RawMap, TagReader
+from .raw_map import NODE_TAGS, TURN_TAGS, RawMap, TagReader
 
 __all__ = ["MapNode", "MapTurn", "MapWay", "raw_map"]
 

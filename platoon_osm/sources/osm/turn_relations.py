@@ -22,7 +22,7 @@ from ...network.preparing.turns import ForbiddenTurn
 from ...network.restrictions import Layer
 from ...vehicles.access import CHAIN
 from ...vehicles.conditional_values import CONDITIONAL
-from .raw_osm import RawMap, TagReader
+from .raw_map import RawMap, TagReader
 
 __all__ = ["Segments", "forbidden_turns"]
 
