@@ -1,6 +1,6 @@
 # Targets: demo (plan and draw the bundled corridor), test (lint, then tests), lint (style,
 # docstrings, types, pages), bench (speed ratios), soak (property tests on ROUNDS x
-# new random inputs), screenshots (pictures of the demo page), lock (renew the pinned
+# new random inputs, and tests that have more cases there), screenshots (pictures of the demo page), lock (renew the pinned
 # dependencies), clean.
 
 PYTHON ?= python3
@@ -35,6 +35,7 @@ soak: $(DEV_STAMP)
 	for round in $$(seq $(ROUNDS)); do \
 	  HYPOTHESIS_PROFILE=soak $(BIN)/python -m pytest -m hypothesis || exit 1; \
 	done
+	HYPOTHESIS_PROFILE=soak $(BIN)/python -m pytest -m soak -n $(WORKERS) --maxprocesses 4 --dist loadfile
 
 screenshots: $(DEV_STAMP)
 	$(BIN)/platoon-osm demo -o out

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from page_boxes import MAP_FAULTS, PANEL_FAULTS, SIZES, TEXT_FAULTS, Pages
 from plan_kinds import KINDS, QUICK
+from soak import SOAK, chosen, soaked
 
-pytestmark = pytest.mark.browser
-
-SOAK = os.environ.get("HYPOTHESIS_PROFILE") == "soak"
+pytestmark = [pytest.mark.browser, soaked]
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +21,7 @@ def pages(chromium: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[P
     context.close()
 
 
-@pytest.mark.parametrize("kind", KINDS if SOAK else QUICK)
+@pytest.mark.parametrize("kind", chosen(QUICK, KINDS))
 def test_every_mark_is_seen_in_full(pages: Pages, kind: str) -> None:
     """No start, destination or event is outside the map or covered, when opened or resized."""
     first = list(KINDS).index(kind) % len(SIZES)

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from plan_kinds import SIX, plan_kind, timed, valley, valley_plan
 from po_valley import THREE, fifty
+from soak import chosen, soaked
 
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.timing.schedule import with_times
@@ -53,6 +54,12 @@ KINDS = (
     "fifty vehicles", "without times", "all are late", "late even alone", "over several days",
     "all alone", "all end together", "the same trip thrice", "a short trip", "long names",
     "names in other scripts", *OWN,
+)  # fmt: skip
+
+
+QUICK = (
+    "one vehicle", "fifty vehicles", "without times", "late even alone", "over several days",
+    "long names", "names in other scripts", "waits of minutes", "days of waiting", "fifty in one",
 )  # fmt: skip
 
 
@@ -102,7 +109,8 @@ def faults(chart: dict[str, Any]) -> list[str]:
 
 
 @browser
-@pytest.mark.parametrize("kind", KINDS)
+@soaked
+@pytest.mark.parametrize("kind", chosen(QUICK, KINDS))
 def test_no_text_of_a_chart_is_cut_or_covers_another(
     kind: str, visit: Visit, tmp_path: Path
 ) -> None:

@@ -80,7 +80,7 @@ def test_files_say_when_it_is(
             offsets.add(moment.utcoffset())
     assert len(offsets) == 2
     (tmp_path / "figures").mkdir()
-    written = write_figures(day, net, tmp_path / "figures")
+    written = write_figures(day, net, tmp_path / "figures", formats=("svg",))
     (times,) = [path for path in written if path.name == "schedule.csv"]
     with times.open(encoding="utf-8") as handle:
         for row in csv.DictReader(handle):

@@ -37,18 +37,23 @@ def spoiler(start: int) -> Callable[[str], str]:
 # -- figures ---------------------------------------------------------------------------------------
 
 
-def test_figures_are_what_their_names_say(
-    plan: JointPlan, net: RoadNetwork, tmp_path: Path
-) -> None:
-    written = write_figures(plan, net, tmp_path)
+@pytest.fixture(scope="module")
+def figures(
+    plan: JointPlan, net: RoadNetwork, tmp_path_factory: pytest.TempPathFactory
+) -> list[Path]:
+    return write_figures(plan, net, tmp_path_factory.mktemp("figures"))
+
+
+def test_figures_are_what_their_names_say(figures: list[Path]) -> None:
+    written, folder = figures, figures[0].parent
     assert [path.name for path in written] == [
         f"{name}.{kind}" for name in ("corridor", "costs", "way") for kind in ("png", "svg", "pdf")
     ]
-    assert sorted(tmp_path.iterdir()) == sorted(written)
+    assert sorted(folder.iterdir()) == sorted(written)
     for path in written:
         head = path.read_bytes()[:8]
         assert head.startswith({".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}[path.suffix])
-    picture = _pixels(tmp_path / "corridor.png")
+    picture = _pixels(folder / "corridor.png")
     # The platoon's yellow and the master's blue are there, and most of the paper is white.
     for colour, least in (((255, 213, 74), 2_000), ((0, 114, 178), 2_000)):
         assert (np.abs(picture - colour).max(axis=2) < 12).sum() > least
@@ -61,12 +66,13 @@ def _pixels(path: Path) -> Any:
     return (matplotlib.image.imread(path)[:, :, :3] * 255).astype(int)
 
 
-def test_same_plan_same_figures(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
-    for name in ("a", "b"):
-        (tmp_path / name).mkdir()
-        write_figures(plan, net, tmp_path / name, formats=("svg", "pdf"))
-    for path in (tmp_path / "a").iterdir():
-        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
+def test_same_plan_same_figures(
+    figures: list[Path], plan: JointPlan, net: RoadNetwork, tmp_path: Path
+) -> None:
+    again = write_figures(plan, net, tmp_path, formats=("svg", "pdf"))
+    assert len(again) == 6
+    for path in again:
+        assert path.read_bytes() == (figures[0].parent / path.name).read_bytes(), path.name
 
 
 @pytest.mark.parametrize("start", range(0, len(HOSTILE), 12))

@@ -31,7 +31,11 @@ ONCE = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("write", [write_html, write_flows, write_figures])
+def figures(plan: JointPlan, net: RoadNetwork, folder: Path) -> None:
+    write_figures(plan, net, folder, formats=("svg",))
+
+
+@pytest.mark.parametrize("write", [write_html, write_flows, figures])
 def test_each_builder_is_called_once(
     write: Callable[..., Any],
     plan: JointPlan,
@@ -52,12 +56,12 @@ def test_each_builder_is_called_once(
         for name in names:
             monkeypatch.setattr(module, name, counted(name, getattr(module, name)))
     monkeypatch.setattr(findings, "moment_of", counted("moment_of", findings.moment_of))
-    write(plan, net, tmp_path if write is write_figures else tmp_path / "page.html")
+    write(plan, net, tmp_path if write is figures else tmp_path / "page.html")
     assert calls.pop("moment_of") == 4
     assert calls == dict.fromkeys([name for names in ONCE.values() for name in names], 1)
 
 
-@pytest.mark.parametrize("write", [write_html, write_flows, write_figures])
+@pytest.mark.parametrize("write", [write_html, write_flows, figures])
 def test_nothing_is_decoded_that_was_encoded_here(
     write: Callable[..., Any],
     plan: JointPlan,
@@ -73,7 +77,7 @@ def test_nothing_is_decoded_that_was_encoded_here(
     if write is not write_html:
         # Only a live map carries encoded lines.
         monkeypatch.setattr(lines, "encode_steps", never)
-    write(plan, net, tmp_path if write is write_figures else tmp_path / "page.html")
+    write(plan, net, tmp_path if write is figures else tmp_path / "page.html")
 
 
 def test_json_has_the_fields_of_the_records(plan: JointPlan, net: RoadNetwork) -> None:

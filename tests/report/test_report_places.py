@@ -119,7 +119,7 @@ def test_every_page_and_picture_is_made(plan: Plan, italy: po.RoadNetwork, tmp_p
     po.write_html(plan, italy, tmp_path / "page.html")
     po.write_flows(plan, italy, tmp_path / "flows.html")
     po.write_comparison([plan, other], italy, tmp_path / "both.html")
-    po.write_figures(plan, italy, tmp_path)
+    po.write_figures(plan, italy, tmp_path, formats=("svg",))
     assert po.explore(plan, italy)
     plan.write_json(tmp_path / "plan.json")
     assert Plan.read_json(tmp_path / "plan.json") == plan
