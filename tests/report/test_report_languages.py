@@ -31,7 +31,7 @@ def names_in(value: Any, key: str = "") -> Iterator[str]:
             yield from names_in(inner, name)
     elif isinstance(value, list):
         for inner in value:
-            if isinstance(inner, list) and key in ("towns", "junctions"):
+            if isinstance(inner, list) and key in ("towns", "junctions", "stops"):
                 yield inner[2]
             else:
                 yield from names_in(inner, key)

@@ -91,22 +91,27 @@ function drawBackground() {
   }
 }
 
-function drawJunctions() {
-  const renderer = L.canvas({ pane: "junctions", padding: 0.3 });
+/* Junctions, and stops for trucks on the way: dots that tell their names, on one canvas, for an
+ * upper one would keep the pointer from the lower. */
+const dotted = L.canvas({ pane: "junctions", padding: 0.3 });
+
+function drawDots(layer, places, radius, inks, tipOf) {
   const dots = L.layerGroup();
-  for (const [lon, lat, name] of plan.junctions) {
+  for (const place of places) {
+    const [lon, lat] = place;
     const dot = L.circleMarker([lat / BASEMAP_STEPS, lon / BASEMAP_STEPS], {
-      pane: "junctions", renderer, radius: 3.2, weight: 1.4, opacity: 1, fillOpacity: 1,
+      pane: "junctions", renderer: dotted, radius, weight: 1.4, opacity: 1, fillOpacity: 1,
     });
-    paint(dot, { color: "muted", fillColor: "paper" })
-      .bindTooltip(element("bdi", "", name), { direction: "top", opacity: 1 })
-      .addTo(dots);
+    paint(dot, inks).bindTooltip(tipOf(place), { direction: "top", opacity: 1 }).addTo(dots);
   }
-  byZoom(group("junctions"), [dots], [planLabels.NEAR_ZOOM]);
+  byZoom(group(layer), [dots], [planLabels.NEAR_ZOOM]);
 }
 
 if (plan.ground && !plan.tiles) drawLand();
 drawBackground();
 drawTowns();
-drawJunctions();
+drawDots("junctions", plan.junctions, 3.2, { color: "muted", fillColor: "paper" },
+  ([, , name]) => element("bdi", "", name));
+drawDots("stops", plan.stops, 4.4, { color: "paper", fillColor: "muted" },
+  ([, , name, told]) => planTips.tooltip({ head: name, lines: [told] }));
 }

@@ -4,13 +4,14 @@ const planScene = () => {
 
 const { decoded } = planLines;
 /* Places, which a page holds as one line of points and one text of names, as the document has them. */
-const places = ({ at, names, ranks }) => {
+const places = ({ at, names, ranks, told }) => {
   const named = names.split("\n");
-  return decoded(at, 1).map(([lat, lon], i) =>
-    ranks ? [lon, lat, named[i], Number(ranks[i])] : [lon, lat, named[i]]);
+  const more = told?.split("\n") ?? Array.from(ranks, Number);
+  return decoded(at, 1).map(([lat, lon], i) => [lon, lat, named[i], ...more.slice(i, i + 1)]);
 };
 const data = unpacked(JSON.parse(document.getElementById("plan-data").textContent));
-const plan = { ...data, towns: places(data.towns), junctions: places(data.junctions) };
+const plan = { ...data, towns: places(data.towns), junctions: places(data.junctions),
+  stops: places(data.stops) };
 const map = window.map_plan;
 const frame = map.getContainer();
 const calm = window.matchMedia("(prefers-reduced-motion: reduce)");

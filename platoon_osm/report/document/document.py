@@ -31,6 +31,7 @@ from .place_labels import junction_labels
 from .plan_frame import plan_frame
 from .provenance import provenance
 from .status import status
+from .stop_labels import stop_labels
 from .surroundings import surroundings
 from .timeline import timeline
 from .totals import groups, subtitle_of, title_of, totals
@@ -176,6 +177,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         inferred_routes=tuple(inferred_routes(found)),
         towns=around.towns,
         junctions=junction_labels(plane, near),
+        stops=stop_labels(plan, net),
         basemap=Basemap(
             network_lines(plane, near, inferred=False),
             network_lines(plane, near, inferred=True),

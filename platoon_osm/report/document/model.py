@@ -18,6 +18,7 @@ from .model_map import (
     JunctionLabel,
     PlatoonLine,
     SoloLine,
+    StopLabel,
     TownLabel,
     Traffic,
 )
@@ -249,6 +250,8 @@ class Document:
         Most important first.
     junctions : tuple of JunctionLabel
         Interchanges first.
+    stops : tuple of StopLabel
+        Where trucks may stop on the ways of the plan.
     basemap : Basemap
         The network in the background.
     ground : Ground or None
@@ -281,6 +284,7 @@ class Document:
     inferred_routes: tuple[Line, ...]
     towns: tuple[TownLabel, ...]
     junctions: tuple[JunctionLabel, ...]
+    stops: tuple[StopLabel, ...]
     basemap: Basemap
     ground: Ground | None
     provenance: Provenance

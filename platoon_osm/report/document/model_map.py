@@ -16,6 +16,7 @@ __all__ = [
     "PlatoonLine",
     "SharedCost",
     "SoloLine",
+    "StopLabel",
     "Tip",
     "TownLabel",
     "Traffic",
@@ -304,6 +305,25 @@ class JunctionLabel(NamedTuple):
     lon: int
     lat: int
     name: str
+
+
+class StopLabel(NamedTuple):
+    """A stop for trucks on the way of a vehicle.
+
+    Attributes
+    ----------
+    lon, lat : int
+        In 1e-4 degrees.
+    name : str
+        Its name, or what it is.
+    told : str
+        What there is: kind, spaces for trucks, fuels, charging.
+    """
+
+    lon: int
+    lat: int
+    name: str
+    told: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,6 +71,8 @@ def _rows(document: Document) -> Iterator[Tree]:
         yield _row("inferred", Piece("swatch-inferred"), say("legend.inferred"))
     if document.junctions:
         yield _row("junctions", Piece("swatch-junctions"), say("legend.junctions"))
+    if document.stops:
+        yield _row("stops", Piece("swatch-stops"), say("legend.stops"))
     if document.towns or document.junctions:
         yield _row("names", Piece("swatch-names"), say("legend.names"))
     if traffic is not None:

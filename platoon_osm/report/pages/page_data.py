@@ -12,7 +12,7 @@ import numpy as np
 
 from ..document.as_json import as_json
 from ..document.model import Document
-from ..document.model_map import JunctionLabel, TownLabel
+from ..document.model_map import JunctionLabel, StopLabel, TownLabel
 from ..drawing.polyline import encode_steps
 from ..markup.security import json_for_html
 from .online_map import Tiles
@@ -44,12 +44,18 @@ def page_data(document: Document, tiles: Tiles | None) -> str:
             **packed(whole),
             "towns": _packed(document.towns, "".join(str(town.rank) for town in document.towns)),
             "junctions": _packed(document.junctions),
+            "stops": {
+                **_packed(document.stops),
+                "told": "\n".join(stop.told for stop in document.stops),
+            },
             "tiles": as_json(tiles),
         }
     )
 
 
-def _packed(labels: Sequence[TownLabel | JunctionLabel], ranks: str = "") -> dict[str, str]:
+def _packed(
+    labels: Sequence[TownLabel | JunctionLabel | StopLabel], ranks: str = ""
+) -> dict[str, str]:
     """Return places as an encoded line, with their names a line each: a name has no line end."""
     points = np.array([(label.lon, label.lat) for label in labels], np.int64).reshape(-1, 2)
     names = "\n".join(label.name for label in labels)

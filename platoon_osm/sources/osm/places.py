@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...network.antimeridian import continued_deg, wrapped_deg
 from ...network.restrictions import encode
 from ...vehicles.judgement import TUNNEL
 from ..stops.features import is_stop_tag, read_stop
@@ -77,11 +78,13 @@ def map_stops(raw: RawMap, areas: Index, roads: Floats, counts: Counter[str]) ->
 
     def add(kind: str, number: int, text: str, points: Floats) -> None:
         known = points[np.isfinite(points).all(1)]
+        known = np.column_stack([continued_deg(known[:, 0]), known[:, 1]])
         reading = read_stop(read_tags(text), counts) if len(known) else None
         if reading is not None:
             closed = len(known) > 3 and bool((known[0] == known[-1]).all())
             lon, lat = _middle(known[:-1] if closed else known, known if closed else None)
             ring = known[:-1] if closed else np.zeros((0, 2))
+            lon = float(wrapped_deg(lon))
             places.append(StopPlace(reading, lon, lat, (kind, number), ring))
 
     for number, text, lon, lat in raw.nodes:
