@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hostile_names import HOSTILE
@@ -85,3 +87,25 @@ def test_without_stops_there_is_no_layer_for_them(tmp_path: Path) -> None:
     plan = po.plan_joint(net, po.paper_weights(net), [po.Trip("A", 0, 1)])
     po.write_html(plan, net, tmp_path / "page.html")
     assert 'data-layer="stops"' not in (tmp_path / "page.html").read_text("utf-8")
+
+
+@pytest.mark.browser
+def test_close_up_dots_tell_what_there_is(visit: Callable[..., Any], tmp_path: Path) -> None:
+    plan, net = on_the_way(tmp_path)
+    po.write_html(plan, net, tmp_path / "page.html")
+    opened = visit(tmp_path / "page.html", reduced_motion="reduce")
+    tips = """(zoom) => {
+      map_plan.setView([44.9994, 11.005], zoom);
+      const found = [];
+      map_plan.eachLayer((layer) => {
+        const tip = layer.getTooltip?.()?.getContent();
+        if (tip instanceof Element) found.push(tip.textContent);
+      });
+      return found.filter((text) => text.includes("truck"));
+    }"""
+    assert opened.page.evaluate(tips, 6) == []
+    (tip,) = opened.page.evaluate(tips, 12)
+    assert "Autohof" in tip
+    assert "truck spaces: 1,200" in tip
+    opened.page.locator('[data-layer="stops"]').uncheck()
+    assert opened.page.evaluate(tips, 12) == []

@@ -362,3 +362,15 @@ def test_answers_of_overpass_are_read_alike(tmp_path):
     ]
     for reason in ("fuel places that say nothing of trucks", "service and rest areas"):
         assert net.report()[reason] == file.report()[reason] > 0
+
+
+def test_an_area_across_the_date_line_lies_in_its_middle(tmp_path):
+    corners = [(179.999, -17.001), (-179.997, -17.001), (-179.997, -17.0005), (179.999, -17.0005)]
+    nodes = {1: (179.99, -17.0, {}), 2: (-179.99, -17.0, {})} | {
+        20 + k: (*corner, {}) for k, corner in enumerate(corners)
+    }
+    nodes[30] = (-179.998, -17.0008, {**PARKING, "capacity:hgv": "5"})
+    ways = {1: ([1, 2], MOTORWAY), 2: ([20, 21, 22, 23, 20], {"highway": "rest_area"})}
+    (stop,) = read_osm(write(tmp_path, nodes, ways)).stops()
+    assert (stop.lon, stop.lat) == pytest.approx((-179.999, -17.00075))
+    assert stop.capacity == 5

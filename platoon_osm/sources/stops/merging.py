@@ -199,6 +199,7 @@ def _size(ring: Floats) -> float:
 
 def _inside(ring: Floats, lon: float, lat: float) -> bool:
     """Tell whether a place is within an outline, by the crossings of a line to the east."""
+    lon += 360.0 * round((float(ring[0, 0]) - lon) / 360.0)  # an outline may go on beyond 180
     x, y = ring[:, 0], ring[:, 1]
     x2, y2 = np.roll(x, -1), np.roll(y, -1)
     spans = (y > lat) != (y2 > lat)
