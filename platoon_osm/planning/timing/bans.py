@@ -30,6 +30,7 @@ from .hours_remarks import breaking, kept
 from .lawful import lawful_starts
 from .limits import NOTHING_ASKED, Window, first_named, windows_of
 from .on_the_spot import edge_times
+from .parking_before import parking_before
 from .pieces import pieces_of
 from .road_hours import RoadHours
 from .schedule import NEAR_S, settled
@@ -83,7 +84,11 @@ def with_hours(
         return plan
     found = _Times(plan, net, trips, vehicles, patience_s).moved({one.vehicle for one in broken})
     left = broken_hours(found, net, vehicles)
-    told = (*kept(plan, found, broken, left), *breaking(found, left))
+
+    def parking(index: int) -> str:
+        return parking_before(found, net, index, vehicles[index])
+
+    told = (*kept(plan, found, broken, left, parking), *breaking(found, left))
     return replace(found, remarks=(*found.remarks, *told))
 
 

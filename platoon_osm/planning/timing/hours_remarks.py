@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from ...plans.clock import MENTIONED_S, duration
 from ...plans.plan import Plan
@@ -13,7 +13,11 @@ __all__ = ["breaking", "kept"]
 
 
 def kept(
-    before: Plan, after: Plan, broken: Sequence[Broken], left: Sequence[Broken]
+    before: Plan,
+    after: Plan,
+    broken: Sequence[Broken],
+    left: Sequence[Broken],
+    parking: Callable[[int], str],
 ) -> Iterator[str]:
     """Remark whose times were moved, for what, and how long it stands for that.
 
@@ -23,6 +27,8 @@ def kept(
         With the times without closings, and with those that keep to them.
     broken, left : sequence of Broken
         What their times break.
+    parking : callable
+        Says of a vehicle that stands where it finds a parking; an empty text if it finds none.
 
     Yields
     ------
@@ -38,10 +44,11 @@ def kept(
         )
         if not why:
             continue
-        yield f"{trip.vehicle} keeps to {listed(list(why))}: {_moved(before, after, index)}"
+        moved = _moved(before, after, index, parking)
+        yield f"{trip.vehicle} keeps to {listed(list(why))}: {moved}"
 
 
-def _moved(before: Plan, after: Plan, index: int) -> str:
+def _moved(before: Plan, after: Plan, index: int, parking: Callable[[int], str]) -> str:
     """Return how far a departure was moved, and how much longer the vehicle stands."""
     assert before.timetable is not None
     assert after.timetable is not None
@@ -54,7 +61,7 @@ def _moved(before: Plan, after: Plan, index: int) -> str:
     if abs(later) >= MENTIONED_S:
         parts.append(f"leaves {duration(abs(later))} {'later' if later > 0 else 'earlier'}")
     if stood >= MENTIONED_S:
-        parts.append(f"stands {duration(stood)} more on its way")
+        parts.append(f"stands {duration(stood)} more on its way{parking(index)}")
     return f"it {' and '.join(parts)}" if parts else "it goes with others at other times"
 
 
