@@ -18,7 +18,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from .access import chain_of
 from .profile import Vehicle
+from .units import FOOT_M, INCH_M, LONG_TON_T, POUND_T, SHORT_TON_T
 
 __all__ = ["LIMITS", "Limit", "Passed", "limits_on", "read_limit"]
 
@@ -65,9 +67,9 @@ LIMITS: Mapping[str, Limit] = {
         Limit("maxaxleload", "axle load", "t", lambda one: one.axle_load_t),
     )
 }  # fmt: skip
-"""Limits that are judged; each may be said for hgv or goods alone: `maxheight:hgv`."""
+"""Limits that are judged; each may be said for some alone: `maxheight:hgv`, `maxweight:trailer`."""
 
-FOR = ("hgv_articulated", "hgv", "goods", "motor_vehicle")
+TRAILER = ":trailer"
 
 NO_LIMIT = frozenset(
     {
@@ -78,20 +80,17 @@ NO_LIMIT = frozenset(
 BELOW_DEFAULT = {"m": 3.99, "t": math.inf}
 """Lower than the 4 m that roads of Europe must leave (96/53/EC): a truck of 4 m does not pass."""
 
-LB_T, SHORT_T, LONG_T = 0.45359237e-3, 0.90718474, 1.0160469088
-FT_M, IN_M = 0.3048, 0.0254
-
 UNITS: Mapping[Unit, Mapping[str, float]] = {
     "m": {
         "": 1.0, "m": 1.0, "mt": 1.0, "mts": 1.0, "meter": 1.0, "meters": 1.0, "metre": 1.0,
-        "metres": 1.0, "cm": 0.01, "mm": 0.001, "ft": FT_M, "feet": FT_M, "foot": FT_M, "'": FT_M,
-        "in": IN_M, "inch": IN_M, "inches": IN_M, '"': IN_M,
+        "metres": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT_M, "feet": FOOT_M, "foot": FOOT_M,
+        "'": FOOT_M, "in": INCH_M, "inch": INCH_M, "inches": INCH_M, '"': INCH_M,
     },
     "t": {
         "": 1.0, "t": 1.0, "to": 1.0, "ton": 1.0, "tonne": 1.0, "tonnes": 1.0, "tonnen": 1.0,
-        "mt": 1.0, "kg": 0.001, "st": SHORT_T, "tons": SHORT_T, "short_ton": SHORT_T,
-        "short_tons": SHORT_T, "lt": LONG_T, "lb": LB_T, "lbs": LB_T, "pounds": LB_T,
-        "klbs": 1000 * LB_T, "cwt": LONG_T / 20,
+        "mt": 1.0, "kg": 0.001, "st": SHORT_TON_T, "tons": SHORT_TON_T, "short_ton": SHORT_TON_T,
+        "short_tons": SHORT_TON_T, "lt": LONG_TON_T, "lb": POUND_T, "lbs": POUND_T,
+        "pounds": POUND_T, "klbs": 1000 * POUND_T, "cwt": LONG_TON_T / 20,
     },
 }  # fmt: skip
 """Metres or tonnes of a unit. "tons" are American: those of Britain weigh more."""
@@ -134,8 +133,8 @@ class Passed:
     @property
     def told(self) -> str:
         """The limit and the vehicle in words."""
-        limit, value, unit = (*(f"{round(one, 2):g}" for one in (self.limit, self.value)),
-                              self.kind.unit)  # fmt: skip
+        limit, value = (f"{round(one, 2):g}" for one in (self.limit, self.value))
+        unit = self.kind.unit
         return f"max. {self.kind.about} {limit} {unit} (the vehicle has {value} {unit})"
 
 
@@ -170,7 +169,7 @@ def _one(text: str, unit: Unit) -> float | None:
         return BELOW_DEFAULT[unit]
     value = None
     if unit == "m" and (feet := FEET.fullmatch(text)):
-        value = float(feet.group(1)) * FT_M + float(feet.group(2)) * IN_M
+        value = float(feet.group(1)) * FOOT_M + float(feet.group(2)) * INCH_M
     elif found := NUMBER.fullmatch(text):
         factor = UNITS[unit].get(found.group(2).strip("_"))
         value = None if factor is None else float(found.group(1)) * factor
@@ -193,14 +192,14 @@ def limits_on(tags: Mapping[str, str], vehicle: Vehicle) -> Iterator[Passed]:
     Passed
         Each limit that can be read, whether the vehicle fits or not.
     """
-    own = [name for name in FOR if vehicle.heavy or not name.startswith("hgv")]
-    if not vehicle.trailer:
-        own = [name for name in own if name != "hgv_articulated"]
+    own = list(chain_of(vehicle))
     for base, kind in LIMITS.items():
-        # What is said for trucks stands in place of what is said for all.
-        key = next((key for name in own if (key := f"{base}:{name}") in tags), base)
-        if key not in tags:
-            continue
-        limit = read_limit(tags[key], kind.unit)
-        if limit is not None and limit < math.inf:
-            yield Passed(kind, key, limit, kind.of(vehicle))
+        # What is said for trucks stands in place of what is said for all; what is said for
+        # trailers holds besides.
+        keys = [next((key for name in own if (key := f"{base}:{name}") in tags), base)]
+        if vehicle.trailer:
+            keys.append(base + TRAILER)
+        for key in keys:
+            limit = read_limit(tags[key], kind.unit) if key in tags else None
+            if limit is not None and limit < math.inf:
+                yield Passed(kind, key, limit, kind.of(vehicle))

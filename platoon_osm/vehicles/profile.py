@@ -17,6 +17,7 @@ from typing import Any
 from ..errors import ScenarioError, brief
 from ..kinds import is_number
 from ..registry import Registry, looked_up
+from .units import FOOT_M, POUND_T
 
 __all__ = [
     "DEFAULT_VEHICLE", "LIGHT_T", "NO_VEHICLES", "TUNNEL_CODES", "VEHICLES", "Vehicle",
@@ -175,9 +176,6 @@ def _figure(value: float) -> str:
 
 KEYS = tuple(item.name for item in fields(Vehicle))
 
-LB_IN_T = 0.45359237e-3
-FT_IN_M = 0.3048
-
 VEHICLES: Registry[Vehicle] = Registry(
     "vehicle",
     (
@@ -193,11 +191,11 @@ VEHICLES: Registry[Vehicle] = Registry(
         # limit of the states; a tractor with a 53 ft trailer is some 72 ft long.
         Vehicle(
             "us-80k-lb",
-            height_m=13.5 * FT_IN_M,
-            width_m=8.5 * FT_IN_M,
-            length_m=72 * FT_IN_M,
-            mass_t=80_000 * LB_IN_T,
-            axle_load_t=20_000 * LB_IN_T,
+            height_m=13.5 * FOOT_M,
+            width_m=8.5 * FOOT_M,
+            length_m=72 * FOOT_M,
+            mass_t=80_000 * POUND_T,
+            axle_load_t=20_000 * POUND_T,
             limiter_kmh=None,
             emission_class="epa2010",
         ),

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 
 from .profile import Vehicle
+from .units import FOOT_M, INCH_M, LONG_TON_T, POUND_T, SHORT_TON_T
 
 __all__ = ["Asked", "asked_of"]
 
@@ -48,11 +49,11 @@ SIZES: dict[str, tuple[str, Callable[[Vehicle], float]]] = {
 """What is compared, in which unit, and where a vehicle tells it."""
 
 UNITS = {
-    "t": 1.0, "mt": 1.0, "kg": 1e-3, "st": 0.90718474, "lt": 1.0160469088,
-    "lb": 0.45359237e-3, "lbs": 0.45359237e-3,
-    "m": 1.0, "cm": 0.01, "ft": 0.3048, "in": 0.0254,
+    "t": 1.0, "mt": 1.0, "kg": 1e-3, "st": SHORT_TON_T, "lt": LONG_TON_T,
+    "lb": POUND_T, "lbs": POUND_T,
+    "m": 1.0, "cm": 0.01, "ft": FOOT_M, "in": INCH_M,
 }  # fmt: skip
-"""Tonnes or metres of a unit; exact by definition (NIST Handbook 44, appendix C)."""
+"""Tonnes or metres of a unit."""
 
 MASSES = frozenset({"t", "mt", "kg", "st", "lt", "lb", "lbs"})
 
@@ -138,7 +139,7 @@ def _number(text: str, unit: str) -> float | None:
     """Return a number in tonnes or metres; None if it is none of them."""
     text = text.strip()
     if unit == "m" and (feet := FEET.fullmatch(text)):
-        return float(feet[1]) * 0.3048 + float(feet[2] or 0) * 0.0254
+        return float(feet[1]) * FOOT_M + float(feet[2] or 0) * INCH_M
     found = NUMBER.fullmatch(text)
     if found is None:
         return None
