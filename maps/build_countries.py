@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.path.insert(0, str(ROOT / "maps"))
+# Imported here, for only now are they found, wherever this is run from.
 
 from build_ground import border_arcs, closed, decoded_arcs, joined, polygons  # noqa: E402
 

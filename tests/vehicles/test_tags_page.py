@@ -34,6 +34,6 @@ def test_values_stand_in_the_row_of_what_they_mean():
 def test_barriers_are_what_the_page_says():
     text = PAGE[PAGE.index("## Barriers") :]
     opened, closed = text[: text.index("are open")], text[text.index("are open") :]
-    named = lambda part: [one for one in re.findall(r"`([a-z_]+)`", part) if one in BARRIERS]  # noqa: E731
-    assert {BARRIERS[one] for one in named(opened)} == {Way.OPEN}
-    assert {BARRIERS[one] for one in named(closed)} == {Way.CLOSED}
+    for part, way in ((opened, Way.OPEN), (closed, Way.CLOSED)):
+        named = [one for one in re.findall(r"`([a-z_]+)`", part) if one in BARRIERS]
+        assert {BARRIERS[one] for one in named} == {way}

@@ -74,7 +74,7 @@ def banned(
     Returns
     -------
     list of Ban
-        Whole, also where they begin before `start` or end after `end`; by their begin. None for a
+        Whole, also where they begin before `start` or end after `end`; by their begin. Empty for a
         country whose bans are not known here.
 
     Raises
@@ -88,9 +88,7 @@ def banned(
     zone = ZoneInfo(bans.zone)
     if (start.tzinfo is None) != (end.tzinfo is None):
         raise ScenarioError("driving bans: give both moments with their zone, or both without")
-    first, last = (
-        at.replace(tzinfo=zone) if at.tzinfo is None else at.astimezone(zone) for at in (start, end)
-    )
+    first, last = (_by_clocks_of(zone, at) for at in (start, end))
     if last.astimezone(UTC) - first.astimezone(UTC) > LONGEST:
         raise ScenarioError("driving bans: more than ten years are asked for; ask for fewer")
     rules = [rule for rule in bans.rules if rule.concerns(vehicle, road, quiet)]
@@ -128,10 +126,7 @@ def driving_intervals(
     bans = bans_of(country.upper())
     if bans is not None:
         zone = ZoneInfo(bans.zone)
-        start, end = (
-            at.replace(tzinfo=zone) if at.tzinfo is None else at.astimezone(zone)
-            for at in (start, end)
-        )
+        start, end = (_by_clocks_of(zone, at) for at in (start, end))
     found: list[tuple[datetime, datetime]] = []
     at = start
     for ban in banned(country, vehicle, start, end, road, quiet):
@@ -141,6 +136,11 @@ def driving_intervals(
     if _utc(at) < _utc(end):
         found.append((at, end))
     return found
+
+
+def _by_clocks_of(zone: ZoneInfo, at: datetime) -> datetime:
+    """Return a moment with a zone; without its own it is what clocks there show."""
+    return at.replace(tzinfo=zone) if at.tzinfo is None else at.astimezone(zone)
 
 
 def _days(first: date, last: date) -> Iterator[date]:

@@ -73,7 +73,8 @@ class _Roads:
 
     def leaving(self, node: int) -> list[int]:
         """Return the segments that leave a node."""
-        return self.order[self.first[node] : self.first[node + 1]].tolist()  # type: ignore[no-any-return]
+        found: list[int] = self.order[self.first[node] : self.first[node + 1]].tolist()
+        return found
 
     def turns_after(self, arriving: int, first: int) -> Iterator[tuple[int, ...]]:
         """Return the ways over two segments to the next junction that end with turning round."""

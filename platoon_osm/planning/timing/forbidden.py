@@ -17,7 +17,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 __all__ = [
-    "Interval", "Part", "Section", "allowed_between", "earliest_starts_along", "forbidden_starts",
+    "Interval", "Part", "Section", "allowed_between", "forbidden_starts",
     "latest_starts_along", "united",
 ]  # fmt: skip
 
@@ -128,32 +128,6 @@ def allowed_between(
     if at <= last:
         found.append((at, last))
     return found
-
-
-def earliest_starts_along(parts: Sequence[Part], ready_s: float) -> list[float]:
-    """Return the earliest start of each part of a route.
-
-    Parameters
-    ----------
-    parts : sequence of Part
-        In driving order.
-    ready_s : float
-        When the vehicle can leave [s].
-
-    Returns
-    -------
-    list of float
-        Seconds.
-    """
-    starts = []
-    at = ready_s
-    for part in parts:
-        for begin, end in part.forbidden:
-            if begin < at < end:
-                at = end
-        starts.append(at)
-        at += part.drive_s
-    return starts
 
 
 def latest_starts_along(parts: Sequence[Part], arrival_s: float) -> list[float]:

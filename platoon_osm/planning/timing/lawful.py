@@ -77,7 +77,6 @@ def lawful_starts(
     ScenarioError
         No times at all.
     """
-    model = Programme(pieces, windows, asked)
     for margin in (0.0, MARGIN_S):
         chosen = _Choices(pieces, windows, asked, forbidden, between, margin).chosen()
         model = Programme(pieces, windows, asked)

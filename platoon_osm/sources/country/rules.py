@@ -29,6 +29,8 @@ class TruckRules:
     limiter_kmh : float
         What the vehicle's speed limiter allows; None becomes that of the country, 90 where none
         is known and 150 where trucks need none.
+    customary : bool
+        Whether nobody gave the limiter, so that each country has its own.
     """
 
     country: str | None = None

@@ -11,7 +11,6 @@ from platoon_osm.planning.timing.forbidden import (
     Part,
     Section,
     allowed_between,
-    earliest_starts_along,
     forbidden_starts,
     latest_starts_along,
     united,
@@ -27,6 +26,19 @@ SPANS = st.lists(
     st.tuples(st.integers(0, DAY), st.integers(1, 20)).map(lambda one: (one[0], sum(one))),
     max_size=3,
 ).map(united)
+
+
+def earliest_starts_along(parts, ready_s):
+    """Return the earliest start of each part of a route for who can leave at a moment."""
+    starts = []
+    at = ready_s
+    for part in parts:
+        for begin, end in part.forbidden:
+            if begin < at < end:
+                at = end
+        starts.append(at)
+        at += part.drive_s
+    return starts
 
 
 @st.composite
