@@ -1,8 +1,8 @@
-"""The same plan from an OSM file, from lines of a GIS, and from segments as Overture has them.
+"""One map as an OSM file, as lines of a GIS, and as segments in the manner of Overture.
 
-The bundled map of Italy is written as a GeoPackage, as ogr2ogr makes one of an OSM file: common
-tags in columns, the others in one text. And as segments with connectors and rules. Each is loaded
-and planned on. Run it with
+The bundled extract of California is written as a GeoPackage, as ogr2ogr makes one of an OSM file:
+common tags in columns, the others in one text. That gives the same network and plan. Its north is
+written as segments with connectors and rules. Run it with
 
     python examples/gis_lines.py [page.html]
 """
@@ -23,6 +23,8 @@ from platoon_osm.network.geodesy import distance_m
 from platoon_osm.sources.catalog import bundled_path
 
 COLUMNS = ("highway", "name", "ref", "oneway", "maxspeed")
+NORTH_LAT = 38.0
+NO_TRUCKS = {"access_type": "denied", "when": {"mode": ["hgv"]}}
 ONE_WAY = {"access_type": "denied", "when": {"heading": "backward"}}
 
 
@@ -58,8 +60,8 @@ def write_lines(path, target):
 
 
 def write_segments(path, target):
-    """Write the roads as segments: each node that two of them share is a connector."""
-    every = [road for road in roads(path) if "highway" in road[1]]
+    """Write the roads of the north as segments: each node that two share is a connector."""
+    every = [road for road in roads(path) if road[2][0][1][1] > NORTH_LAT]
     shared = Counter(node for _, _, nodes in every for node in {node for node, _ in nodes})
     features = []
     for number, tags, nodes in every:
@@ -67,7 +69,7 @@ def write_segments(path, target):
         along = np.append(0.0, np.cumsum(distance_m(lon[:-1], lat[:-1], lon[1:], lat[1:])))
         share = along / along[-1]
         ends = {0, len(nodes) - 1}
-        speed = tags.get("maxspeed", "")
+        speed, _, unit = tags.get("maxspeed", "").partition(" ")
         about = {
             "subtype": "road",
             "class": tags["highway"].removesuffix("_link"),
@@ -79,10 +81,13 @@ def write_segments(path, target):
                 for k, (node, _) in enumerate(nodes)
                 if k in ends or shared[node] > 1
             ],
-            "speed_limits": [{"max_speed": {"value": int(speed), "unit": "km/h"}}]
+            "speed_limits": [{"max_speed": {"value": int(speed), "unit": unit or "km/h"}}]
             if speed.isdecimal()
             else None,
-            "access_restrictions": [ONE_WAY] if tags.get("oneway") == "yes" else None,
+            "access_restrictions": [
+                *([ONE_WAY] if tags.get("oneway") == "yes" else []),
+                *([NO_TRUCKS] if tags.get("hgv") == "no" else []),
+            ],
             "sources": [{"property": "", "dataset": "OpenStreetMap", "record_id": f"w{number}"}],
         }
         line = {"type": "LineString", "coordinates": [place for _, place in nodes]}
@@ -92,28 +97,27 @@ def write_segments(path, target):
 
 
 def main(page=None):
-    """Plan on the three files, by coordinates, for segments have no exits."""
-    _, source = bundled_path("italy-motorways")
+    """Load the three files, and plan on the first two."""
+    _, source = bundled_path("california-corridor")
     trips = [
-        po.Trip("A", (9.1900, 45.4642), (12.4964, 41.9028)),
-        po.Trip("B", (10.9916, 45.4384), (11.2558, 43.7696)),
+        po.Trip("A", (-117.1611, 32.7157), (-122.3917, 40.5865)),
+        po.Trip("B", (-119.7871, 36.7378), (-121.4944, 38.5816)),
     ]
     with tempfile.TemporaryDirectory() as folder:
-        lines, segments = Path(folder) / "italy.gpkg", Path(folder) / "italy.geojson"
+        lines, segments = Path(folder) / "california.gpkg", Path(folder) / "california.geojson"
         write_lines(source, lines)
         write_segments(source, segments)
-        nets = {
-            path.name: po.load_network(path, country="IT") for path in (source, lines, segments)
-        }
-    plans = {}
-    for name, net in nets.items():
-        plans[name] = plan = po.plan_joint(net, po.PaperCosts(), trips)
-        km = plan.to_frame()["length_km"].sum()
-        print(f"{name}: {net.length_m.sum() / 1000:,.1f} km of road, {km:,.1f} km driven, "
-              f"{net.source.attribution}")  # fmt: skip
-    print(plans["italy.gpkg"].summary())
+        nets = [
+            po.load_network(path, country="US-CA", infer_links=True) for path in (source, lines)
+        ]
+        north = po.load_network(segments, country="US-CA")
+    for net in (*nets, north):
+        print(f"{net.source.name}: {net.length_m.sum() / 1000:,.1f} km, {net.source.attribution}")
+    from_osm, from_lines = (po.plan_joint(net, po.PaperCosts(), trips) for net in nets)
+    print(f"The same plan from lines: {from_lines.summary() == from_osm.summary()}\n")
+    print(from_lines.summary())
     if page:
-        po.write_html(plans["italy.gpkg"], nets["italy.gpkg"], page)
+        po.write_html(from_lines, nets[1], page)
         print(f"Map: {page}")
 
 
