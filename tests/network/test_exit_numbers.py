@@ -1,12 +1,12 @@
 """Exits by their numbers, in all the ways people write them."""
 
 import pytest
+from bundled import italy as italy_map
 from hostile_names import HOSTILE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from made_networks import both_ways, network
 
-import platoon_osm as po
 from platoon_osm.errors import NetworkError
 from platoon_osm.network.exit_numbers import exit_readings, has_exit_word, number_key
 from platoon_osm.network.naming import node_name
@@ -211,7 +211,7 @@ def test_every_printed_name_is_found_again_or_is_ambiguous(data):
 
 
 def test_every_name_of_the_bundled_map_is_found_again():
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     lost = []
     for node in range(0, net.n, 7):
         found = one_or_several(net, net.place_name(node))

@@ -8,6 +8,7 @@ from itertools import pairwise, product
 import networkx as nx
 import numpy as np
 import pytest
+from bundled import italy as italy_map
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import all_pairs, best_choice, member_choices
@@ -252,7 +253,7 @@ SOUTH = [("Milano", "Napoli"), ("Torino", "Napoli"), ("Venezia", "Salerno"), ("B
 
 
 def test_milano_leads_to_napoli():
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     costs = po.paper_weights(net)
     trips = [Trip(places[0], *places) for places in SOUTH]
     best = plan_joint(net, costs, trips, "C")
@@ -390,7 +391,7 @@ def limits_of(trip, alone_s, patience_s=7200.0):
 
 
 def test_two_days_apart_both_drive_alone():
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     first = DAY + timedelta(hours=6)
     trips = [
         Trip("Expr", "Milano", "Napoli", first, None, first + timedelta(hours=12)),
@@ -409,7 +410,7 @@ def test_two_days_apart_both_drive_alone():
 
 
 def test_who_cannot_come_in_time_is_left_and_the_others_drive_together():
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     first = DAY + timedelta(hours=6)
     trips = [
         Trip("A", "Milano", "Napoli", first),

@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from bundled import italy as italy_map
 from places import ROOT
 
 import platoon_osm as po
@@ -20,7 +21,7 @@ PER_KM_ALONE, PER_KM_TOGETHER = 37 / 12, 2.1476  # eq. 11, and eq. 12 at (1, 0.1
 
 @pytest.fixture(scope="module")
 def net():
-    return po.load_network("italy-motorways")
+    return italy_map()
 
 
 @pytest.fixture(scope="module")

@@ -4,6 +4,7 @@ from datetime import datetime, timedelta
 from pathlib import Path
 
 import pytest
+from bundled import italy as italy_map
 
 import platoon_osm as po
 from platoon_osm.errors import PlatoonError, ScenarioError
@@ -264,7 +265,7 @@ def test_wrong_times_in_csv_name_the_line(tmp_path, text):
 
 @pytest.fixture(scope="module")
 def italy():
-    return po.load_network("italy-motorways")
+    return italy_map()
 
 
 def test_a_scenario_is_planned_with_its_own_options(tmp_path, italy):

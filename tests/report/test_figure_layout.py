@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from bundled import italy as italy_map
 from soak import chosen, soaked
 
 import platoon_osm as po
@@ -34,7 +35,7 @@ pytestmark = soaked
 
 @pytest.fixture(scope="module")
 def italy() -> RoadNetwork:
-    return po.load_network("italy-motorways")
+    return italy_map()
 
 
 @pytest.fixture(scope="module")

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from bundled import italy as italy_map
 from po_valley import fifty, make_plan
 
 import platoon_osm
@@ -30,6 +31,13 @@ browser = pytest.mark.browser
 def two_file(two: JointPlan, net: RoadNetwork, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("groups") / "two.html"
     write_html(two, net, path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def many_file(many: JointPlan, net: RoadNetwork, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("groups") / "many.html"
+    write_html(many, net, path)
     return path
 
 
@@ -180,12 +188,8 @@ def test_bands_shown_again_lie_under_their_lines(two_file: Path, visit: Visit) -
 
 @browser
 @pytest.mark.parametrize("width", [1440, 390])
-def test_legend_of_a_crowd_is_grouped(
-    many: JointPlan, net: RoadNetwork, visit: Visit, tmp_path: Path, width: int
-) -> None:
-    path = tmp_path / "many.html"
-    write_html(many, net, path)
-    opened = visit(path, width, 900)
+def test_legend_of_a_crowd_is_grouped(many_file: Path, visit: Visit, width: int) -> None:
+    opened = visit(many_file, width, 900)
     page = opened.page
     if width == 390:
         page.get_by_role("button", name="Legend").click()
@@ -206,7 +210,7 @@ def test_legend_of_a_crowd_is_grouped(
     page.keyboard.press("Escape")
     if width == 390:
         assert not page.locator("#legend").is_visible()
-    opened.check(path)
+    opened.check(many_file)
 
 
 # -- marks -----------------------------------------------------------------------------------------
@@ -220,11 +224,9 @@ MARKS = """() => [...document.querySelectorAll('#map_plan .mark')].map(e => {
 @browser
 @pytest.mark.parametrize(("width", "most"), [(1440, 75), (390, 50)])
 def test_a_crowd_is_counted_until_one_zooms_in(
-    many: JointPlan, net: RoadNetwork, visit: Visit, tmp_path: Path, width: int, most: int
+    many_file: Path, visit: Visit, width: int, most: int
 ) -> None:
-    path = tmp_path / "many.html"
-    write_html(many, net, path)
-    page = visit(path, width, 844).page
+    page = visit(many_file, width, 844).page
     marks = page.evaluate(MARKS)
     assert 10 < len(marks) <= most
     # Every mark can be told from the others.
@@ -316,7 +318,7 @@ def test_several_platoons_print_on_two_pages(two_file: Path, visit: Visit) -> No
 @browser
 @pytest.mark.parametrize("vehicles", [3, 6, 8, 20])
 def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, vehicles: int) -> None:
-    net = platoon_osm.load_network("italy-motorways")
+    net = italy_map()
     towns = ["Torino", "Trieste", "Milano", "Bologna", "Padova", "Verona", "Genova", "Brescia"]
     start = datetime(2026, 3, 2, 5, 0)
     trips = [

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from bundled import italy as italy_map
 from plan_kinds import italy, plan_kind
 
 import platoon_osm
@@ -29,7 +30,7 @@ LETTERS = "abcd"
 @pytest.fixture(scope="module")
 def four(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The page of the bundled scenarios, each of other trips."""
-    net = platoon_osm.load_network("italy-motorways")
+    net = italy_map()
     scenarios = [
         read_scenario(Path(str(files("platoon_osm.scenarios") / f"po-valley-{letter}.toml")))
         for letter in LETTERS

@@ -12,6 +12,7 @@ from typing import Any
 import geopandas
 import numpy as np
 import pytest
+from bundled import italy as italy_map
 
 import platoon_osm as po
 from platoon_osm.plans.plan import Plan
@@ -24,7 +25,7 @@ Visit = Callable[..., Any]
 
 @pytest.fixture(scope="module")
 def italy() -> po.RoadNetwork:
-    return po.load_network("italy-motorways")
+    return italy_map()
 
 
 @pytest.fixture(scope="module")

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bundled import italy as italy_map
 from hostile_names import HOSTILE
 from plans_by_legs import with_vehicles
 from po_valley import THREE, make_plan, po_valley
 from test_report_budgets import contrast
 
-import platoon_osm
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.scenario import read_scenario
@@ -209,7 +209,7 @@ def test_same_plan_same_bytes(
 
 
 def test_the_demo_fits_its_budget(tmp_path: Path) -> None:
-    net = platoon_osm.load_network("italy-motorways")
+    net = italy_map()
     with as_file(files("platoon_osm.scenarios") / "po-valley-c.toml") as path:
         plan = read_scenario(path).plan(net)
     assert plan.timetable is not None

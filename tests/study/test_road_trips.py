@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from bundled import italy as italy_map
 
-import platoon_osm as po
 from platoon_osm.cli import main
 from platoon_osm.errors import MapDataError, ScenarioError
 from platoon_osm.network.geodesy import distance_m
@@ -15,7 +15,7 @@ from platoon_osm.study.settings import Study
 
 @pytest.fixture(scope="module")
 def italy():
-    return po.load_network("italy-motorways")
+    return italy_map()
 
 
 @pytest.fixture

@@ -11,6 +11,7 @@ from datetime import datetime, timedelta
 from functools import cache
 
 import numpy as np
+from bundled import italy
 from california import california, tall_country
 from plans_by_legs import with_vehicles
 from po_valley import JUNCTIONS, THREE, Journey, fifty, make_plan, po_valley, route, two_platoons
@@ -21,7 +22,6 @@ from platoon_osm.planning.joint import plan_joint
 from platoon_osm.planning.timing.schedule import with_times
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.trip import Trip
-from platoon_osm.sources.load import load_network
 
 SIX = datetime(2026, 3, 2, 6)
 COSTS = PaperCosts(tau=1.0, xi=0.18)
@@ -45,11 +45,6 @@ def plan_kind(name: str) -> Made:
 @cache
 def valley() -> RoadNetwork:
     return po_valley()
-
-
-@cache
-def italy() -> RoadNetwork:
-    return load_network("italy-motorways")
 
 
 def hours(number: float) -> timedelta:

@@ -1,6 +1,7 @@
 """Vehicles and closed roads in scenarios and tables."""
 
 import pytest
+from bundled import italy as italy_map
 
 import platoon_osm as po
 from platoon_osm.errors import ScenarioError
@@ -48,7 +49,7 @@ def read(folder, text=TEXT):
 def test_vehicles_of_a_scenario(tmp_path):
     scenario = read(tmp_path)
     scenario.check()
-    plan = scenario.plan(po.load_network("italy-motorways"))
+    plan = scenario.plan(italy_map())
     low, light, other = (trip.profile for trip in plan.trips)
     assert (low.name, low.height_m, low.mass_t) == ("low", 3.4, 40)
     assert (light.name, light.height_m, light.mass_t, light.permitted_t) == (
@@ -56,7 +57,7 @@ def test_vehicles_of_a_scenario(tmp_path):
     )  # fmt: skip
     assert (other.tunnel_code, other.mass_t) == ("D", VEHICLES["us-80k-lb"].mass_t)
     assert plan.closed == ("A 22",)
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     driven = {e for stretch in plan.stretches for e in stretch.edges}
     assert "A 22" not in {net.edge_ref(edge) for edge in driven}
 
@@ -98,4 +99,4 @@ def test_each_mistake_in_one_line_with_the_file(tmp_path, old, new, said):
 
 def test_a_road_that_is_not_there_is_told_of(tmp_path):
     with pytest.raises(ScenarioError, match=r"close: 'A 222' is no road of italy-motorways; give"):
-        read(tmp_path, TEXT.replace("A 22", "A 222")).plan(po.load_network("italy-motorways"))
+        read(tmp_path, TEXT.replace("A 22", "A 222")).plan(italy_map())

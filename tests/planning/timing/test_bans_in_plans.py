@@ -5,6 +5,7 @@ from functools import cache
 from zoneinfo import ZoneInfo
 
 import pytest
+from bundled import italy as italy_map
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from roads_with_hours import in_country
@@ -24,7 +25,7 @@ def at(text):
 
 @cache
 def italy():
-    return in_country(po.load_network("italy-motorways"), "IT")
+    return in_country(italy_map(), "IT")
 
 
 @cache
@@ -229,7 +230,7 @@ def test_without_times_hours_and_bans_are_counted():
 
 
 def test_a_network_of_no_country_has_no_bans():
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     empty = in_country(net, "")
     plan = planned(empty, po.Trip("A", "Torino", "Trieste", at("2026-03-01T08:30")))
     assert near(left_at(plan), "2026-03-01T08:30")

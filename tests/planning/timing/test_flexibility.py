@@ -4,6 +4,7 @@ from datetime import UTC, datetime, timedelta
 from zoneinfo import ZoneInfo
 
 import pytest
+from bundled import italy as italy_map
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from random_networks import problems
@@ -65,7 +66,7 @@ def test_a_plan_is_that_of_the_latest_arrivals(problem, minutes, zoned):
 
 
 def test_without_any_flexibility_nobody_alone_is_late():
-    net = po.load_network("italy-motorways")
+    net = italy_map()
     trip = po.Trip("A", "Torino", "Trieste", SIX, flexibility_min=0)
     plan = po.plan_joint(net, po.paper_weights(net), [trip])
     (times,) = plan.timetable.vehicles
