@@ -11,10 +11,26 @@ from numpy.typing import NDArray
 from ..errors import MapDataError
 from ..network.load_report import LoadReport
 from ..network.preparing.simplify import merge_chains
-from ..network.road_network import RoadNetwork
+from ..network.road_network import ROAD_CLASSES, RoadNetwork
 from .truck import TruckRules, WayReading, dropped, read_way
 
-__all__ = ["RoadChoice"]
+__all__ = ["RoadChoice", "class_code"]
+
+
+def class_code(highway: str) -> int:
+    """Return the code of a road's class.
+
+    Parameters
+    ----------
+    highway : str
+        Value of the tag.
+
+    Returns
+    -------
+    int
+        Position in `ROAD_CLASSES`; that of "other" for one that is not there.
+    """
+    return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
 
 
 class RoadChoice:

@@ -5,32 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ...network.road_network import ROAD_CLASSES
 from ..restricting_tags import is_restriction
-from ..road_choice import RoadChoice
+from ..road_choice import RoadChoice, class_code
 from ..speeds.texts import read_speed_kmh
 from ..truck import TOLL_KEYS, is_driving_tag
 from ..way_sides import FALSE
 from .graph_arrays import Attributes
 from .graph_values import flag, parts
 
-__all__ = ["class_code", "edge_class", "truck_tags"]
-
-
-def class_code(highway: str) -> int:
-    """Return the position of a class in `ROAD_CLASSES`; anything unknown is "other".
-
-    Parameters
-    ----------
-    highway : str
-        Value of the tag.
-
-    Returns
-    -------
-    int
-        A position.
-    """
-    return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
+__all__ = ["edge_class", "truck_tags"]
 
 
 def edge_class(attributes: Attributes, choice: RoadChoice) -> str:

@@ -20,9 +20,9 @@ from ...network.load_report import Source
 from ...network.road_network import RoadNetwork
 from ..country.roads import countries_of
 from ..file_identity import osm_source, read_bytes
-from ..road_choice import RoadChoice
+from ..road_choice import RoadChoice, class_code
 from ..truck import TruckRules
-from .edge_tags import class_code, edge_class, truck_tags
+from .edge_tags import edge_class, truck_tags
 from .exchange import directed_edges, graph_source, way_id_of
 from .freight_graph import REMARK, as_tagged, freight_source, is_freight_graph
 from .grades import edge_rises

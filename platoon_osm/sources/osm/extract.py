@@ -26,6 +26,7 @@ from ...network.road_network import (
     RoadNetwork,
 )
 from ...network.texts import encode_texts
+from ..road_choice import class_code
 from ..truck import (
     BACKWARD,
     FORWARD,
@@ -37,7 +38,7 @@ from .places import MapPoint, map_stops, map_tunnels
 from .raw_map import RawMap, TagReader
 from .raw_osm import read_raw
 from .turn_relations import Segments, forbidden_turns
-from .way_table import WayTable, class_code, interpreted
+from .way_table import WayTable, interpreted
 
 __all__ = ["MOTORWAY_CLASSES", "network_of", "read_osm"]
 

@@ -11,15 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...network.geodesy import distance_m
-from ...network.road_network import ROAD_CLASSES
 from ..country.roads import countries_of
+from ..road_choice import class_code
 from ..slopes import INCLINE_TAGS, slope_along
 from ..truck import FORWARD, TruckRules, WayReading, dropped, is_driving_tag, read_way
 from .borders import within_borders
 from .ferries import crossing_mps, duration_s, is_ferry, read_ferry
 from .raw_map import RawMap, TagReader
 
-__all__ = ["WayTable", "class_code", "interpreted"]
+__all__ = ["WayTable", "interpreted"]
 
 NAME_TAGS = frozenset({"ref", "name", "destination", "route", "duration"})
 NOT_A_ROAD = WayReading(FORWARD, False, 1.0, False, (), 1.0, 1.0, 1.0)
@@ -177,22 +177,6 @@ def _crossing_mps(raw: RawMap, way: int, read_tags: TagReader, default: float) -
     length = float(np.nansum(distance_m(lon[:-1], lat[:-1], lon[1:], lat[1:])))
     crossing = duration_s(read_tags(raw.way_tags[way]).get("duration", ""))
     return default if np.isnan(crossing) else crossing_mps(length, crossing)
-
-
-def class_code(highway: str) -> int:
-    """Return the code of a road's class.
-
-    Parameters
-    ----------
-    highway : str
-        Value of the tag.
-
-    Returns
-    -------
-    int
-        Position in `ROAD_CLASSES`; that of "other" for one that is not there.
-    """
-    return ROAD_CLASSES.index(highway if highway in ROAD_CLASSES else "other")
 
 
 def _counts(readings: list[WayReading], ways: list[int]) -> dict[str, int]:
