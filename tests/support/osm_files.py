@@ -7,6 +7,14 @@ from xml.sax.saxutils import quoteattr
 import osmium
 
 
+def scattered(rng, n):
+    """Return n nodes of a square kilometre, as `xml` takes them."""
+    return {
+        k + 1: (round(11 + 0.01 * rng.random(), 7), round(45 + 0.01 * rng.random(), 7), {})
+        for k in range(n)
+    }
+
+
 def xml(nodes, ways, head='<osm version="0.6" generator="test">', relations=None):
     """Write nodes {id: (lon, lat, tags)}, ways {id: (nodes, tags)} and relations
     {id: ([("way", 1, "from"), ...], tags)} as OSM XML."""

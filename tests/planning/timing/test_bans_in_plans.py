@@ -8,7 +8,7 @@ import pytest
 from bundled import italy as italy_map
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from roads_with_hours import in_country
+from roads_with_hours import in_country, row_with_turn_offs
 
 import platoon_osm as po
 from platoon_osm.network.placed import network_below
@@ -30,19 +30,10 @@ def italy():
 
 @cache
 def straight(text="no @ (07:00-19:00)", zone_country=""):
-    """Five junctions in a row, 60 km apart at 80 km/h, with turn-offs; the third road has hours."""
-    count = 5
-    lon = [0.75 * k for k in range(count)] + [0.75 * k for k in range(1, count - 1)]
-    lat = [45.0] * count + [45.2] * (count - 2)
-    tail = [*range(count - 1), *range(1, count - 1)]
-    head = [*range(1, count), *range(count, 2 * count - 2)]
-    net = po.RoadNetwork.from_edges(
-        tail, head, lon=lon, lat=lat, length_m=[60_000.0] * (count - 1) + [1000.0] * (count - 2),
-        speed_mps=80 / 3.6, ref=[f"S {k}" for k in range(len(tail))],
-        node_name=[f"N{k}" for k in range(len(lon))],
-    )  # fmt: skip
-    edge = int(((net.tail == 2) & (net.head == 3)).argmax())
-    return in_country(net, zone_country, {edge: {"hgv:conditional": text}})
+    """Return the row with a name for each road and junction."""
+    return row_with_turn_offs(
+        zone_country, text, ref=[f"S {k}" for k in range(7)], node_name=[f"N{k}" for k in range(8)]
+    )
 
 
 def planned(net, *trips, **told):

@@ -6,32 +6,19 @@ from zoneinfo import ZoneInfo
 
 import numpy as np
 import pytest
-from roads_with_hours import in_country
+from roads_with_hours import row_with_turn_offs
 
 import platoon_osm as po
 from platoon_osm.network.columns import POINT_KINDS
 from platoon_osm.network.road_network import NamedPoints
 from platoon_osm.network.texts import TextTable
 
-HOURS = {"hgv:conditional": "no @ (07:00-19:00)"}
+HOURS = "no @ (07:00-19:00)"
 
 
 def straight(stops):
-    """Five junctions in a row, 60 km apart, with turn-offs; the third road has hours.
-
-    Stops are (km along the row, kind, name, tags), a little to the south of it.
-    """
-    count = 5
-    lon = [0.75 * k for k in range(count)] + [0.75 * k for k in range(1, count - 1)]
-    lat = [45.0] * count + [45.2] * (count - 2)
-    tail = [*range(count - 1), *range(1, count - 1)]
-    head = [*range(1, count), *range(count, 2 * count - 2)]
-    net = po.RoadNetwork.from_edges(
-        tail, head, lon=lon, lat=lat, length_m=[60_000.0] * (count - 1) + [1000.0] * (count - 2),
-        speed_mps=80 / 3.6,
-    )  # fmt: skip
-    edge = int(((net.tail == 2) & (net.head == 3)).argmax())
-    net = in_country(net, "", {edge: HOURS})
+    """Return the row with stops (km along it, kind, name, tags) a little to its south."""
+    net = row_with_turn_offs("", HOURS)
     texts = [*net.texts]
     points = NamedPoints(
         np.array([0.75 * km / 60 for km, *_ in stops], float),

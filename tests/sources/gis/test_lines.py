@@ -9,13 +9,13 @@ import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from osm_files import scattered, write
 
 from platoon_osm.errors import MapDataError
 from platoon_osm.sources.gis.columns import tags_of
 from platoon_osm.sources.load import load_network
 from platoon_osm.sources.osm.extract import read_osm
 from platoon_osm.sources.truck import TruckRules
-from tests.support.osm_files import write
 
 ROADS = ("motorway", "primary")
 TAGS = {
@@ -37,10 +37,7 @@ def maps(draw):
     """Roads between few crossings, with tags."""
     rng = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
     n = draw(st.integers(3, 7))
-    nodes = {
-        k + 1: (round(11 + 0.01 * rng.random(), 7), round(45 + 0.01 * rng.random(), 7), {})
-        for k in range(n)
-    }
+    nodes = scattered(rng, n)
     ways = {}
     for way in range(10, 10 + draw(st.integers(1, 6))):
         refs = rng.choice(n, int(rng.integers(2, min(n, 4) + 1)), replace=False) + 1

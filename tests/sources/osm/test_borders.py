@@ -3,10 +3,10 @@
 import json
 
 import pytest
+from osm_files import write
 
 from platoon_osm.sources.load import load_network
 from platoon_osm.sources.osm.borders import code_of
-from tests.support.osm_files import write
 
 # All of it lies in Italy by the outlines; the map has Austria's border at 11.15 E.
 NODES = {

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from osm_files import scattered, write
 
 from platoon_osm.errors import MapDataError
 from platoon_osm.sources.osm.extract import read_osm
@@ -13,7 +14,6 @@ from platoon_osm.sources.overpass.answers import read_overpass_cache
 from platoon_osm.sources.truck import TruckRules
 from platoon_osm.vehicles.closures import Closures
 from platoon_osm.vehicles.profile import DEFAULT_VEHICLE
-from tests.support.osm_files import write
 
 ROADS = ("primary",)
 RULES = TruckRules("DE")
@@ -25,10 +25,7 @@ def maps(draw):
     """Roads between few crossings, with barriers on them and relations that forbid turns."""
     rng = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
     n = draw(st.integers(3, 7))
-    nodes = {
-        k + 1: (round(11 + 0.01 * rng.random(), 7), round(45 + 0.01 * rng.random(), 7), {})
-        for k in range(n)
-    }
+    nodes = scattered(rng, n)
     for node in nodes:
         if rng.random() < 0.3:
             nodes[node][2].update(ele=str(rng.choice(["120", "135 m", "400 ft", "high"])))

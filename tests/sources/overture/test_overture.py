@@ -6,6 +6,15 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from osm_files import scattered, write
+from overture_files import (
+    ACCESS,
+    SIZES,
+    SPEEDS,
+    as_geojson,
+    segment,
+    write_overture,
+)
 
 from platoon_osm.errors import MapDataError
 from platoon_osm.search.engine import many_to_many
@@ -15,15 +24,6 @@ from platoon_osm.sources.overture.rules import access_tags, speed_tags
 from platoon_osm.sources.truck import TruckRules
 from platoon_osm.vehicles.closures import Closures
 from platoon_osm.vehicles.profile import VEHICLES
-from tests.support.osm_files import write
-from tests.support.overture_files import (
-    ACCESS,
-    SIZES,
-    SPEEDS,
-    as_geojson,
-    segment,
-    write_overture,
-)
 
 ROADS = ("motorway", "motorway_link", "primary")
 ONE_WAY = {"access_type": "denied", "when": {"heading": "backward"}}
@@ -35,10 +35,7 @@ def maps(draw):
     """Roads between few crossings, with rules and prohibited transitions, in both forms."""
     rng = np.random.default_rng(draw(st.integers(0, 2**32 - 1)))
     n = draw(st.integers(3, 7))
-    nodes = {
-        k + 1: (round(11 + 0.01 * rng.random(), 7), round(45 + 0.01 * rng.random(), 7), {})
-        for k in range(n)
-    }
+    nodes = scattered(rng, n)
     ways, segments = {}, []
     for way in range(10, 10 + draw(st.integers(1, 6))):
         refs = (rng.choice(n, int(rng.integers(2, min(n, 4) + 1)), replace=False) + 1).tolist()
