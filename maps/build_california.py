@@ -4,9 +4,10 @@
     python maps/build_california.py california.osm.pbf --output elsewhere.osm.pbf
 
 Kept are the ways of `ROADS`, the tags of `KEPT_KEYS` that a truck planner reads, the nodes on these
-ways, and names, numbers and barriers of nodes. Authors, versions and times of edits are left out;
-identities are kept, so that each way can be looked up on openstreetmap.org. The same extract gives
-the same bytes with the same release of osmium.
+ways, and names, numbers and barriers of nodes; besides rest areas, parkings, fuel and charging
+within a kilometre or two, where the extract has them. One of motorways alone has none. Authors,
+versions and times of edits are left out; identities are kept, so that each way can be looked up on
+openstreetmap.org. The same extract gives the same bytes with the same release of osmium.
 
 The result is a derived database under the Open Database License: it must stay beside its notice,
 maps/california-corridor.LICENSE.txt (maps/README.md says how to renew both).
@@ -92,6 +93,19 @@ KEPT_KEYS = re.compile(
 )
 """What a planner for trucks reads, and the names by which places are found."""
 
+STOP_KEYS = re.compile(
+    r"amenity|truck|parking|fee|maxstay|capacity(:(hgv|truck))?|fuel:.*|socket:.*|hgv:(lanes|parking)"
+    r"|charging_station:output"
+)
+"""What a planner reads besides of places where trucks stop."""
+
+STOPS = {
+    "highway": ("services", "rest_area"),
+    "amenity": ("parking", "fuel", "charging_station"),
+}
+CELL_DEG = 0.01
+"""Stops in the cells of this size beside those of the kept nodes are kept: 1 to 2 km."""
+
 NODE_HIGHWAYS = ("motorway_junction", "toll_gantry", "services", "rest_area")
 
 
@@ -102,6 +116,7 @@ class Cut:
     ways: dict[int, tuple[list[int], dict[str, str]]] = field(default_factory=dict)
     positions: dict[int, tuple[float, float]] = field(default_factory=dict)
     tags: dict[int, dict[str, str]] = field(default_factory=dict)
+    areas: dict[int, tuple[list[int], dict[str, str]]] = field(default_factory=dict)
 
 
 def boxes_of(ref: str) -> tuple[Box, ...]:
@@ -125,12 +140,23 @@ def kept(tags: Any) -> dict[str, str]:
     return {tag.k: tag.v for tag in tags if KEPT_KEYS.fullmatch(tag.k)}
 
 
+def stop_tags(tags: Any) -> dict[str, str]:
+    """Give the tags of a place where trucks may stop; none of any other."""
+    if not any(tags.get(key) in values for key, values in STOPS.items()):
+        return {}
+    return {
+        tag.k: tag.v for tag in tags if KEPT_KEYS.fullmatch(tag.k) or STOP_KEYS.fullmatch(tag.k)
+    }
+
+
 def read(path: Path) -> tuple[Cut, str]:
     """Read the corridor out of an extract; give it and the time the extract was made."""
     import osmium
 
     cut = Cut()
     node_tags: dict[int, dict[str, str]] = {}
+    areas: dict[int, tuple[dict[int, tuple[float, float]], list[int], dict[str, str]]] = {}
+    stops: dict[int, tuple[tuple[float, float], dict[str, str]]] = {}
     entities: Any = osmium.FileProcessor(str(path)).with_locations()
     for entity in entities:
         if entity.is_node():
@@ -139,6 +165,13 @@ def read(path: Path) -> tuple[Cut, str]:
                 del tags["highway"]
             if "highway" in tags or "barrier" in tags:
                 node_tags[entity.id] = tags
+            if own := stop_tags(entity.tags):
+                stops[entity.id] = (entity.location.lon, entity.location.lat), own
+        elif entity.is_way() and (own := stop_tags(entity.tags)):
+            places_of = {n.ref: (n.lon, n.lat) for n in entity.nodes if n.location.valid()}
+            if places_of:
+                refs = [n.ref for n in entity.nodes if n.ref in places_of]
+                areas[entity.id] = places_of, refs, own
         elif entity.is_way() and entity.tags.get("highway") in ("motorway", "motorway_link"):
             located = [node for node in entity.nodes if node.location.valid()]
             places = [(node.lon, node.lat) for node in located]
@@ -150,8 +183,26 @@ def read(path: Path) -> tuple[Cut, str]:
                 cut.positions.update(zip(nodes, places[piece], strict=True))
     drop_far_links(cut)
     cut.tags = {node: tags for node, tags in node_tags.items() if node in cut.positions}
+    add_stops(cut, stops, areas)
     header = osmium.io.Reader(str(path)).header()
     return cut, header.get("osmosis_replication_timestamp")
+
+
+def add_stops(cut: Cut, stops: dict[int, Any], areas: dict[int, Any]) -> None:
+    """Add the places where trucks may stop that lie near a kept node."""
+    used = {cell(*at) for at in cut.positions.values()}
+    near = {(x + i, y + j) for x, y in used for i in (-1, 0, 1) for j in (-1, 0, 1)}
+    for node, (at, tags) in stops.items():
+        if cell(*at) in near:
+            cut.positions[node], cut.tags[node] = at, tags
+    for way, (places, refs, tags) in areas.items():
+        if any(cell(*at) in near for at in places.values()):
+            cut.positions |= places
+            cut.areas[way] = refs, tags
+
+
+def cell(lon: float, lat: float) -> tuple[int, int]:
+    return math.floor(lon / CELL_DEG), math.floor(lat / CELL_DEG)
 
 
 def drop_far_links(cut: Cut) -> None:
@@ -189,8 +240,9 @@ def write(cut: Cut, extracted: str, output: Path) -> None:
             for node in sorted(cut.positions):
                 at = cut.positions[node]
                 writer.add_node(mutable.Node(id=node, location=at, tags=cut.tags.get(node, {})))
-            for way in sorted(cut.ways):
-                nodes, tags = cut.ways[way]
+            ways = {**cut.ways, **cut.areas}
+            for way in sorted(ways):
+                nodes, tags = ways[way]
                 writer.add_way(mutable.Way(id=way, nodes=nodes, tags=tags))
         draft.replace(output)
 

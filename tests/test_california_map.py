@@ -178,6 +178,37 @@ def test_ramps_come_along_roads_end_at_their_edge_and_other_tags_go(tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"made.osm", output.name, again.name}
 
 
+def test_stops_for_trucks_near_its_roads_come_along(tmp_path):
+    path = made_extract(tmp_path / "made.osm")
+    south, west, north, east = next(iter(build.ROADS.values()))[0]
+    lat, lon = (south + north) / 2, (west + east) / 2
+
+    def node(number, east, **tags):
+        inside = "".join(f'<tag k="{key}" v="{value}"/>' for key, value in tags.items())
+        return f'<node id="{number}" lat="{lat + 0.001}" lon="{lon + east}">{inside}</node>'
+
+    nodes = [
+        node(8001, 0.001, highway="rest_area", name="Near", note="x"),
+        node(8002, 0.9, highway="rest_area", name="Far"),
+        node(8003, 0.002, amenity="restaurant"),
+        node(8004, 0.003), node(8005, 0.004), node(8006, 0.0035),
+    ]  # fmt: skip
+    refs = "".join(f'<nd ref="{number}"/>' for number in (8004, 8005, 8006, 8004))
+    tags = '<tag k="amenity" v="parking"/><tag k="hgv" v="yes"/><tag k="surface" v="y"/>'
+    area = f'<way id="7000">{refs}{tags}<tag k="capacity:hgv" v="30"/></way>'
+    text = path.read_text().replace("<way", "".join(nodes) + "<way", 1)
+    path.write_text(text.replace("</osm>", area + "</osm>"))
+    output = tmp_path / "cut.osm.pbf"
+    assert called(path, "--output", output).returncode == 0
+    cut, _ = build.read(output)
+    assert cut.tags[8001] == {"highway": "rest_area", "name": "Near"}
+    assert not {8002, 8003} & cut.positions.keys()
+    assert cut.areas == {
+        7000: ([8004, 8005, 8006, 8004],
+               {"amenity": "parking", "hgv": "yes", "capacity:hgv": "30"}),
+    }  # fmt: skip
+
+
 def test_an_extract_of_elsewhere_is_refused_in_one_line(tmp_path):
     made = made_extract(tmp_path / "made.osm", without="I 5")
     for path, said in ((made, "no way of I 5; give"), (tmp_path / "none.osm.pbf", "give an")):

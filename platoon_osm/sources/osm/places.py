@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...network.antimeridian import continued_deg, wrapped_deg
 from ...network.restrictions import encode
 from ...vehicles.judgement import TUNNEL
-from ..stops.features import is_stop_tag, read_stop
+from ..stops.features import STOP_TAGS, is_stop_tag, read_stop
 from ..stops.merging import StopPlace, merged_stops
 from ..stops.sides import RoadSides
 from .raw_map import RawMap, TagReader
@@ -20,6 +20,9 @@ __all__ = ["MapPoint", "map_stops", "map_tunnels"]
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
+
+STOP_TEXTS = tuple(f"{key}={value}" for key, value in STOP_TAGS)
+"""One of these is in the tags of a stop, as OPL writes them; most nodes are junctions."""
 
 CATEGORIES = frozenset("ABCDE")
 NO_TUNNEL = ("tunnel=no", "tunnel=culvert", "tunnel=building_passage")
@@ -88,7 +91,7 @@ def map_stops(raw: RawMap, areas: Index, roads: Floats, counts: Counter[str]) ->
             places.append(StopPlace(reading, lon, lat, (kind, number), ring))
 
     for number, text, lon, lat in raw.nodes:
-        if "amenity=" in text or "highway=" in text:
+        if any(tag in text for tag in STOP_TEXTS):
             add("node", number, text, np.array([[lon, lat]]))
     for way in areas.tolist():
         part = slice(raw.first[way], raw.first[way + 1])
