@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.restrictions import decode
+from platoon_osm.sources.restricting_tags import LIMITED_FOR
 from platoon_osm.sources.truck import (
     BACKWARD,
     BOTH,
@@ -18,7 +19,7 @@ from platoon_osm.sources.truck import (
 )
 from platoon_osm.vehicles.access import Way, read_value
 from platoon_osm.vehicles.judgement import judge
-from platoon_osm.vehicles.limits import read_limit
+from platoon_osm.vehicles.limits import LIMITS, read_limit
 from platoon_osm.vehicles.profile import DEFAULT_VEHICLE as TRUCK
 from platoon_osm.vehicles.profile import VEHICLES
 
@@ -236,6 +237,13 @@ def test_no_such_tag_is_passed_over_in_silence(name, tail, value):
     harmless = opens or read_limit(value, "m") == float("inf") or name in ("hov", "bus", "oneway")
     lane_free = tail == ":lanes" and not all(part.strip() for part in value.split("|"))
     assert changed or harmless or lane_free
+
+
+@pytest.mark.parametrize("limit", LIMITS)
+@pytest.mark.parametrize("whom", ["", *(f":{one}" for one in sorted(LIMITED_FOR))])
+def test_every_limit_that_is_kept_is_judged(limit, whom):
+    reading = way(**{limit + whom: "0.6"})
+    assert judge(decode(reading.restriction), TRUCK).way == Way.CLOSED
 
 
 @pytest.mark.parametrize(
