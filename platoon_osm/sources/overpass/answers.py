@@ -53,7 +53,7 @@ def read_overpass_cache(
         }
         relations = [element for element in elements if element["type"] == "relation"]
         ways = [
-            MapWay(_id(way), [int(node) for node in way["nodes"]], _tags(way))
+            MapWay(_id(way), [_number(node) for node in way["nodes"]], _tags(way))
             for way in _with_nodes(_ways(elements, relations), nodes)
         ]
         turns = [_turn(relation) for relation in relations]
@@ -129,7 +129,7 @@ def _ways(elements: list[Any], relations: list[Any]) -> list[Any]:
         for member in relation.get("members", ()):
             if member["type"] == "way" and isinstance(member.get("geometry"), list):
                 own = {"type": "way", "id": member["ref"], "geometry": member["geometry"]}
-                found.setdefault(int(member["ref"]), own)
+                found.setdefault(_number(member["ref"]), own)
     return list(found.values())
 
 
@@ -152,7 +152,7 @@ def _with_nodes(ways: list[Any], nodes: dict[int, MapNode]) -> list[Any]:
         ]
         for number, at in zip(ids, geometry, strict=True):
             if at is not None:
-                nodes.setdefault(int(number), MapNode(float(at["lon"]), float(at["lat"]), {}))
+                nodes.setdefault(_number(number), MapNode(float(at["lon"]), float(at["lat"]), {}))
         found.append({**way, "nodes": ids})
     return found
 
@@ -172,15 +172,19 @@ def _node(file: Path, element: Mapping[str, Any]) -> MapNode:
 
 def _turn(element: Mapping[str, Any]) -> MapTurn:
     members = tuple(
-        (str(member["type"])[:1], int(member["ref"]), str(member.get("role", "")))
+        (str(member["type"])[:1], _number(member["ref"]), str(member.get("role", "")))
         for member in element.get("members", ())
     )
     return MapTurn(_id(element), members, _tags(element))
 
 
 def _id(element: Mapping[str, Any]) -> int:
-    """Return the id of an element, which a network keeps as 64 bits."""
-    number = int(element["id"])
+    return _number(element["id"])
+
+
+def _number(given: Any) -> int:
+    """Return an id, which a network keeps as 64 bits."""
+    number = int(given)
     if not -(2**63) <= number < 2**63:
         raise ValueError(f"id {number}")
     return number

@@ -93,6 +93,16 @@ def test_an_answer_with_one_value_of_another_kind(tmp_path, place, odd):
     read_or_refused(path)
 
 
+@pytest.mark.parametrize("number", [10**30, 2**63, -(2**63) - 1])
+def test_the_number_of_a_node_that_no_computer_holds(tmp_path, number):
+    answer = as_overpass()
+    way = next(one for one in answer["elements"] if one["type"] == "way")
+    way["nodes"][1] = number
+    path = tmp_path / "answer.json"
+    path.write_text(json.dumps(answer))
+    assert "an element lacks its id, type, nodes or coordinates" in refusal(path)
+
+
 @pytest.mark.parametrize("wrong", [b"utf-99", b"x"])
 def test_an_unknown_encoding(tmp_path, graphml, wrong):
     path = tmp_path / "a.graphml"
