@@ -374,3 +374,22 @@ def test_an_area_across_the_date_line_lies_in_its_middle(tmp_path):
     (stop,) = read_osm(write(tmp_path, nodes, ways)).stops()
     assert (stop.lon, stop.lat) == pytest.approx((-179.999, -17.00075))
     assert stop.capacity == 5
+
+
+@pytest.mark.parametrize("shape", ["way", "relation"])
+def test_an_area_on_the_antimeridian_is_one_stop_in_its_middle(tmp_path, shape):
+    nodes = {
+        number: ((lon + 168.996 + 180) % 360 - 180, lat, tags)
+        for number, (lon, lat, tags) in NODES.items()
+    }
+    ways, relations = WAYS, {}
+    if shape == "relation":
+        ways = {1: WAYS[1], 2: ([20, 21, 22], {}), 3: ([22, 23, 20], {})}
+        members = [("way", 2, "outer"), ("way", 3, "outer")]
+        tags = {"type": "multipolygon", "highway": "services", "name": "Area"}
+        relations = {7: (members, tags), 8: (members, {"type": "multipolygon", **PARKING})}
+    area = told(read_osm(write(tmp_path, nodes, ways, relations=relations)))["Area"]
+    here = told(read_osm(write(tmp_path, NODES, ways, relations=relations)))["Area"]
+    assert (area.capacity, area.offers, area.tags) == (here.capacity, here.offers, here.tags)
+    assert abs(area.lon) == pytest.approx(180.0)
+    assert area.lat == pytest.approx(here.lat)

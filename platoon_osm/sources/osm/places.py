@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...network.antimeridian import continued_deg, wrapped_deg
+from ...network.antimeridian import middle_longitude_deg, near_deg, wrapped_deg
 from ...network.restrictions import encode
 from ...vehicles.judgement import TUNNEL
 from ..stops.features import STOP_TAGS, is_stop_tag, read_stop
@@ -78,16 +78,18 @@ def map_stops(raw: RawMap, areas: Index, roads: Floats, counts: Counter[str]) ->
     """
     read_tags = TagReader(is_stop_tag)
     places = []
+    # On one plane, so that an area on the antimeridian has an outline and a middle.
+    centre = middle_longitude_deg(raw.lon[np.isfinite(raw.lon)])
+    roads = np.column_stack([near_deg(roads[:, 0::2], centre), roads[:, 1::2]])[:, [0, 2, 1, 3]]
 
     def add(kind: str, number: int, text: str, points: Floats) -> None:
         known = points[np.isfinite(points).all(1)]
-        known = np.column_stack([continued_deg(known[:, 0]), known[:, 1]])
+        known = np.column_stack([near_deg(known[:, 0], centre), known[:, 1]])
         reading = read_stop(read_tags(text), counts) if len(known) else None
         if reading is not None:
             closed = len(known) > 3 and bool((known[0] == known[-1]).all())
             lon, lat = _middle(known[:-1] if closed else known, known if closed else None)
             ring = known[:-1] if closed else np.zeros((0, 2))
-            lon = float(wrapped_deg(lon))
             places.append(StopPlace(reading, lon, lat, (kind, number), ring))
 
     for number, text, lon, lat in raw.nodes:
@@ -100,7 +102,15 @@ def map_stops(raw: RawMap, areas: Index, roads: Floats, counts: Counter[str]) ->
     for number, text, outline in raw.areas:
         add("relation", number, text, outline)
     return [
-        MapPoint(stop.kind, stop.lon, stop.lat, stop.name, 0, stop.capacity, stop.tags)
+        MapPoint(
+            stop.kind,
+            float(wrapped_deg(stop.lon)),
+            stop.lat,
+            stop.name,
+            0,
+            stop.capacity,
+            stop.tags,
+        )
         for stop in merged_stops(places, RoadSides(roads))
     ]
 

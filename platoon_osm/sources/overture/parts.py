@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ...network.antimeridian import continued_deg, wrapped_deg
 from ..osm.tables import MapNode, MapWay
 from .rules import access_tags, speed_tags
 from .segments import Segment
@@ -119,8 +120,9 @@ def _place(segment: Segment, at: float) -> tuple[float, float]:
     if abs(segment.share[near] - at) < SAME:
         lon, lat = segment.points[near].tolist()
         return lon, lat
-    lon, lat = (float(np.interp(at, segment.share, values)) for values in segment.points.T)
-    return lon, lat
+    lon, lat = segment.points.T
+    along = np.interp(at, segment.share, continued_deg(lon))
+    return float(wrapped_deg(along)), float(np.interp(at, segment.share, lat))
 
 
 def _tags(segment: Segment, low: float, high: float, counts: Counter[str]) -> dict[str, str] | None:

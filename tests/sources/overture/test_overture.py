@@ -250,3 +250,16 @@ def test_files_that_are_cut_short(tmp_path):
         (tmp_path / "map.parquet").write_bytes(whole[:end])
         with pytest.raises(MapDataError):
             load_network(tmp_path / "map.parquet")
+
+
+def test_a_segment_is_cut_where_it_crosses_the_antimeridian(tmp_path):
+    own = segment(
+        "s", [(179.95, -17.0), (-179.95, -17.0)], "motorway", [(0, "a"), (1, "b")],
+        speed_limits=[{"max_speed": {"value": 60, "unit": "km/h"}, "between": [0.75, 1.0]}],
+        access_restrictions=[{"access_type": "denied", "when": {"heading": "backward"}}],
+        road_flags=[{"values": ["is_under_construction"], "between": [0.9, 1.0]}],
+    )  # fmt: skip
+    net = load_network(write_overture(tmp_path / "map.parquet", [own]), country="NZ")
+    assert net.length_m.sum() == pytest.approx(0.9 * 10_647, rel=1e-3)
+    assert sorted(net.lon.round(6).tolist())[0] == pytest.approx(-179.96)
+    assert np.abs(net.shape_lon).min() > 179.9
