@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -53,6 +53,14 @@ class LoadReport:
 
     def __getitem__(self, name: str) -> int:
         return self.counts.get(name, 0)
+
+    # Without these Python would ask for report[0], report[1] and so on, and never come to an end.
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.counts
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.counts)
 
     def __str__(self) -> str:
         width = max((len(f"{number:,}") for number in self.counts.values()), default=1)

@@ -269,3 +269,11 @@ def test_report_adds_counts_and_prints_remarks():
 
 def test_repr_tells_size():
     assert repr(two_edges()) == "<RoadNetwork in memory: 3 nodes, 2 edges, 3 km>"
+
+
+def test_a_report_can_be_asked_for_what_it_counted():
+    report = LoadReport({"a": 1, "b": 0})
+    assert list(report) == ["a", "b"]
+    assert "b" in report
+    assert "c" not in report
+    assert report["c"] == 0

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from ..restricting_tags import is_restriction
 from ..road_choice import RoadChoice, class_code
@@ -11,7 +10,7 @@ from ..speeds.texts import read_speed_kmh
 from ..truck import TOLL_KEYS, is_driving_tag
 from ..way_sides import FALSE
 from .graph_arrays import Attributes
-from .graph_values import flag, parts
+from .graph_values import flag, parts, tag_text
 
 __all__ = ["edge_class", "truck_tags"]
 
@@ -59,7 +58,7 @@ def truck_tags(attributes: Attributes, highway: str, choice: RoadChoice) -> Mapp
     for key, value in attributes.items():
         if not is_driving_tag(key) or key in {"highway", "oneway", "junction"}:
             continue
-        values = [text for text in map(_tag_text, parts(value)) if text]
+        values = [text for text in map(tag_text, parts(value)) if text]
         if values:
             tags[key] = _one_value(key, values, choice)
     two_way = bool(parts(attributes.get("oneway"))) and not flag(attributes.get("oneway"))
@@ -73,14 +72,6 @@ def truck_tags(attributes: Attributes, highway: str, choice: RoadChoice) -> Mapp
     if two_way and highway in {"motorway", "motorway_link"}:
         choice.counts["motorway edges in both directions, as OSMnx has them"] += 1
     return tags
-
-
-def _tag_text(value: Any) -> str:
-    """Return a value as OpenStreetMap writes it; a table's or GraphML's way of "missing" as ""."""
-    text = str(value)
-    if text in {"True", "False"}:
-        return "yes" if text == "True" else "no"
-    return "" if text in {"nan", "None", "<NA>"} else text
 
 
 def _one_value(key: str, values: list[str], choice: RoadChoice) -> str:

@@ -7,7 +7,7 @@ import math
 from numbers import Real
 from typing import Any
 
-__all__ = ["flag", "joined", "number", "parts", "whole_number"]
+__all__ = ["flag", "joined", "number", "parts", "tag_text", "whole_number"]
 
 
 def parts(value: Any) -> list[Any]:
@@ -58,6 +58,25 @@ def joined(value: Any) -> str:
     if isinstance(value, str) and not (len(parts(value)) > 1 and "'" in value):
         return value
     return ";".join(str(part) for part in parts(value))
+
+
+def tag_text(value: Any) -> str:
+    """Return a value as OpenStreetMap writes it; a table's or GraphML's way of "missing" as "".
+
+    Parameters
+    ----------
+    value : object
+        A single value.
+
+    Returns
+    -------
+    str
+        The text.
+    """
+    text = str(value)
+    if text in {"True", "False"}:
+        return "yes" if text == "True" else "no"
+    return "" if text in {"nan", "None", "<NA>"} else text
 
 
 def number(value: Any) -> float | None:

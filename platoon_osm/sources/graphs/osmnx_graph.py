@@ -28,6 +28,7 @@ from .freight_graph import REMARK, as_tagged, freight_source, is_freight_graph
 from .grades import edge_rises
 from .graph_arrays import Attributes, EdgeRow, check_degrees, graph_arrays
 from .graph_values import flag, joined, number
+from .node_barriers import behind_barriers
 
 if TYPE_CHECKING:
     import geopandas
@@ -36,6 +37,11 @@ if TYPE_CHECKING:
 __all__ = ["network_from_osmnx", "read_geopackage", "read_graphml"]
 
 JUNCTION = "motorway_junction"
+
+TURNS = (
+    "turn restrictions: not in this kind of file; it keeps no relations, so forbidden turns were "
+    "taken as open"
+)
 
 
 def network_from_osmnx(
@@ -48,7 +54,8 @@ def network_from_osmnx(
 
     Edges are used in the directions the graph has them. Where simplification left several values
     on one edge, the choice is the careful one: the most important class, the lowest `maxspeed`,
-    closed if a part is closed, toll if a part costs toll; each is counted in the report.
+    closed if a part is closed, toll if a part costs toll; each is counted in the report. Barriers
+    are read where nodes have them. Such a graph has no turn restrictions, which the report says.
 
     Parameters
     ----------
@@ -299,6 +306,10 @@ def _network(
         length * side.toll_free if (own := number(item.get("toll_free_m"))) is None else own
         for item, side, length in zip(data, readings, arrays.length_m.tolist(), strict=True)
     ]
+    restrictions = [
+        joined(item.get("restriction")) or side.restriction
+        for item, side in zip(data, readings, strict=True)
+    ]
     geometry |= edge_rises(nodes, kept, arrays.length_m, choice.counts)
     net = RoadNetwork.from_edges(
         **geometry,
@@ -306,11 +317,7 @@ def _network(
         speed_mps=np.array([reading.speed_kmh for reading in readings]) / 3.6,
         posted_mps=np.array([reading.posted_kmh for reading in readings]) / 3.6,
         restriction=np.array(
-            [
-                joined(item.get("restriction")) or side.restriction
-                for item, side in zip(data, readings, strict=True)
-            ],
-            object,
+            behind_barriers(nodes, arrays.tail, arrays.head, restrictions, choice.counts), object
         ),
         country=np.array(countries, object),
         node_name=np.array([joined(sign.get("name")) for sign in signs], object),
@@ -325,6 +332,9 @@ def _network(
         way_id=np.array([way_id_of(item.get("osmid")) for item in data], np.int64),
         source=source,
     )
+    if not all("edge_id" in item for item in data):
+        # Graphs that `to_networkx` made of a network have its turns as nodes and edges.
+        remarks = (*remarks, TURNS)
     return choice.finished(net, np.array([bool(sign) for sign in signs], np.bool_), *remarks)
 
 

@@ -8,20 +8,18 @@ and it is counted instead.
 from __future__ import annotations
 
 from collections import Counter
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...network.restrictions import Layer
-from ...vehicles.access import BARRIERS, CHAIN, Way, barrier_way
-from ..restricting_tags import is_restriction, restricting
+from ..barrier_reading import barrier_layer, is_barrier_tag, is_obeyed
 from .raw_map import RawMap, TagReader
 
 __all__ = ["barrier_layers"]
 
 Index = NDArray[np.int64]
-
-BARRIER_TAGS = ("barrier", "locked")
 
 
 def barrier_layers(
@@ -45,7 +43,7 @@ def barrier_layers(
     dict of int to Layer
         By node position; barriers that everybody passes are not in it.
     """
-    read_tags = TagReader(lambda key: key in BARRIER_TAGS or is_restriction(key))
+    read_tags = TagReader(is_barrier_tag)
     found: dict[int, Layer] = {}
     known: dict[str, Layer] = {}
     some = [(node, text) for node, text, _, _ in raw.nodes if "barrier=" in text]
@@ -54,28 +52,11 @@ def barrier_layers(
         tags = read_tags(text)
         if at >= len(node_ids) or node_ids[at] != node or "barrier" not in tags:
             continue
-        counts["barriers on roads read"] += 1
-        kind = tags["barrier"].strip().lower()
-        if kind not in BARRIERS:
-            counts["barriers of a kind not in the table, taken as open"] += 1
         if text not in known:
-            known[text] = _layer(tags)
-        if not known[text]:
-            counts["barriers that close nothing"] += 1
-        elif _meeting(at, tail, head) > 2:
-            counts["barriers where roads meet, not obeyed"] += 1
-        else:
-            counts["barriers obeyed"] += 1
+            known[text] = barrier_layer(tags)
+        if is_obeyed(tags["barrier"], known[text], partial(_meeting, at, tail, head), counts):
             found[at] = known[text]
     return found
-
-
-def _layer(tags: dict[str, str]) -> Layer:
-    restricted = restricting(tags, Counter())
-    if not restricted and barrier_way(tags) == Way.OPEN:
-        return {}
-    own = {key: tags[key].strip() for key in (*CHAIN, *BARRIER_TAGS) if key in tags}
-    return {**own, **restricted}
 
 
 def _meeting(node: int, tail: Index, head: Index) -> int:
