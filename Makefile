@@ -1,24 +1,27 @@
 # Targets: demo (plan and draw the bundled corridor), test (lint, then tests), lint (style,
-# docstrings, types, pages), bench (speed ratios), soak (property tests on ROUNDS x
-# new random inputs, and tests that have more cases there), screenshots (pictures of the demo page), lock (renew the pinned
-# dependencies), clean.
+# docstrings, types, pages), kernels (compile the fast engine), bench (speed ratios), soak
+# (property tests on ROUNDS x new random inputs, and tests that have more cases there),
+# screenshots (pictures of the demo page), lock (renew the pinned dependencies), clean.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 ROUNDS ?= 10
-# A browser for each worker; tests of a file stay together, for they share what is dear to make.
+# A browser for each worker; tests of a file stay together, for they share what is dear to make,
+# and files run in the order of tests/conftest.py: long ones first, lest one is waited for at the end.
 WORKERS ?= auto
 STAMP := $(VENV)/.installed
 DEV_STAMP := $(VENV)/.installed-dev
 
-.PHONY: demo test lint bench soak screenshots lock clean
+.PHONY: demo test lint kernels bench soak screenshots lock clean
 
 demo: $(STAMP)
 	$(BIN)/platoon-osm demo -o out
 
-test: $(DEV_STAMP) lint
-	$(BIN)/python -m pytest -n $(WORKERS) --maxprocesses 4 --dist loadfile
+# While one processor checks style, another compiles what every worker would compile for itself.
+test: $(DEV_STAMP)
+	$(MAKE) --no-print-directory -j 2 lint kernels
+	$(BIN)/python -m pytest -n $(WORKERS) --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
 lint: $(DEV_STAMP)
 	$(BIN)/ruff check .
@@ -27,6 +30,9 @@ lint: $(DEV_STAMP)
 	$(BIN)/mypy
 	$(BIN)/djlint --quiet --lint platoon_osm/report/assets
 	$(BIN)/oxlint --deny-warnings platoon_osm/report/assets
+
+kernels: $(STAMP)
+	$(BIN)/platoon-osm warmup
 
 bench: $(DEV_STAMP)
 	$(BIN)/python -m benchmarks

@@ -1,4 +1,4 @@
-"""How the property tests draw their examples.
+"""How the property tests draw their examples, and which files run first.
 
 `make test` draws the same ones each time, so that a change is judged by what it changed.
 `make soak` draws new ones, round after round, and prints how to repeat a failure.
@@ -8,6 +8,17 @@ import os
 
 from hypothesis import settings
 
+LONG = (
+    "test_cli_interrupts.py", "test_cli_no_room.py", "test_examples.py", "test_docs.py",
+    "test_italy_map.py", "test_report_boxes.py", "test_figure_layout.py", "test_report_firefox.py",
+)  # fmt: skip
+"""Files of few and long tests: begun last, one of them would keep all but one processor idle."""
+
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.register_profile("soak", print_blob=True, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))
+
+
+def pytest_collection_modifyitems(items):
+    """Begin with what takes long; the rest stays as it is."""
+    items.sort(key=lambda item: item.path.name not in LONG)
