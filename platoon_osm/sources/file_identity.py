@@ -10,7 +10,7 @@ from pathlib import Path
 from ..errors import MapDataError
 from ..network.load_report import Source
 
-__all__ = ["ATTRIBUTION", "LICENCE", "osm_source", "read_bytes"]
+__all__ = ["ATTRIBUTION", "LICENCE", "file_digest", "osm_source", "read_bytes"]
 
 LICENCE = "ODbL 1.0"
 ATTRIBUTION = "© OpenStreetMap contributors"
@@ -45,6 +45,31 @@ def read_bytes(file: Path) -> tuple[bytes, str]:
         except (OSError, EOFError, zlib.error) as error:
             raise MapDataError(f"{file}: gzip is cut short or damaged; fetch it again") from error
     return content, digest
+
+
+def file_digest(file: Path) -> str:
+    """Return the sha256 of a file, read piece by piece.
+
+    Parameters
+    ----------
+    file : Path
+        The file.
+
+    Returns
+    -------
+    str
+        Hex digest.
+
+    Raises
+    ------
+    MapDataError
+        The file cannot be read.
+    """
+    try:
+        with file.open("rb") as handle:
+            return hashlib.file_digest(handle, "sha256").hexdigest()
+    except OSError as error:
+        raise MapDataError(f"{file}: cannot be read ({error.strerror}); check the path") from error
 
 
 def osm_source(name: str, sha256: str = "", extracted: str = "") -> Source:

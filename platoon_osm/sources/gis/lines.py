@@ -6,7 +6,6 @@ one, at a bridge, do not meet.
 
 from __future__ import annotations
 
-import hashlib
 import os
 import warnings
 from collections import Counter
@@ -20,7 +19,7 @@ from numpy.typing import NDArray
 from ...errors import MapDataError
 from ...network.load_report import Source
 from ...network.road_network import RoadNetwork
-from ..file_identity import osm_source
+from ..file_identity import file_digest, osm_source
 from ..osm.extract import network_of
 from ..osm.tables import MapNode, MapWay, raw_map
 from ..truck import TruckRules
@@ -71,7 +70,7 @@ def read_lines(
         an unknown system, or no road of these classes.
     """
     file = Path(path)
-    digest = _digest(file)
+    digest = file_digest(file)
     notes: list[str] = []
     with warnings.catch_warnings(record=True) as noticed:
         warnings.simplefilter("always")
@@ -238,14 +237,6 @@ def _rows(table: geopandas.GeoDataFrame) -> Iterator[tuple[Row, Any]]:
     columns = table.drop(columns="geometry")
     for number, (row, shape) in enumerate(zip(columns.to_dict("records"), shapes, strict=True), 1):
         yield {**row, "row": number}, shape
-
-
-def _digest(file: Path) -> str:
-    try:
-        with file.open("rb") as handle:
-            return hashlib.file_digest(handle, "sha256").hexdigest()
-    except OSError as error:
-        raise MapDataError(f"{file}: cannot be read ({error.strerror}); check the path") from error
 
 
 def _kind(file: Path) -> str:

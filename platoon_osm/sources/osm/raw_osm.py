@@ -7,7 +7,6 @@ each node and tag from Python, and no Python runs for objects that are not roads
 
 from __future__ import annotations
 
-import hashlib
 import tempfile
 from collections.abc import Sequence
 from math import nan
@@ -18,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import MapDataError
-from ..file_identity import osm_source
+from ..file_identity import file_digest, osm_source
 from ..stops.features import is_for_others
 from .areas import area_outlines, lines_of
 from .borders import BORDER, borders_of, code_of
@@ -72,7 +71,7 @@ def read_raw(path: Path, classes: Sequence[str]) -> RawMap:
     np.cumsum(count, out=first[1:])
     related = [_relation(line) for line in relations]
     raw = RawMap(
-        source=osm_source(path.name, _sha256(path), found.extracted),
+        source=osm_source(path.name, file_digest(path), found.extracted),
         way_id=np.fromiter((int(line[0][1:]) for line in ways), np.int64, len(ways)),
         way_tags=tuple(line[1][1:] for line in ways),
         first=first,
@@ -278,8 +277,3 @@ def _on_the_globe(path: Path, node: int, lon: float, lat: float) -> tuple[float,
             f"{lat:g}); correct or remove it"
         )
     return lon, lat
-
-
-def _sha256(path: Path) -> str:
-    with path.open("rb") as handle:
-        return hashlib.file_digest(handle, "sha256").hexdigest()

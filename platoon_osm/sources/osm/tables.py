@@ -61,6 +61,7 @@ def raw_map(
     *,
     classes: Collection[str],
     left_out: Mapping[str, int],
+    others: Mapping[str, int] | None = None,
 ) -> RawMap:
     """Return a map in the form in which OSM files are read.
 
@@ -80,6 +81,8 @@ def raw_map(
         Values of `highway` to keep, besides ferries and places.
     left_out : mapping of str to int
         What was left out already, by reason.
+    others : mapping of str to int, optional
+        Roads of other classes that were left out already, by class.
 
     Returns
     -------
@@ -91,7 +94,7 @@ def raw_map(
     MapDataError
         No road of these classes; the message names those there are.
     """
-    counts, found = Counter(left_out), Counter[str]()
+    counts, found = Counter(left_out), Counter(others or {})
     kept: list[MapWay] = []
     ways, turns = list(ways), list(turns)
     for way in ways:
@@ -100,8 +103,8 @@ def raw_map(
         of_wish = highway in classes or way.tags.get("route") == "ferry"
         if of_wish or _is_wanted(way.tags):
             kept.append(way)
-        elif highway:
-            counts["ways left out: other road class"] += 1
+    other = sum(number for kind, number in found.items() if kind not in classes)
+    counts.update({"ways left out: other road class": other} if other else {})
     if not any(found[kind] for kind in classes):
         told = ", ".join(f"{kind} ({count:,})" for kind, count in found.most_common(8))
         raise MapDataError(

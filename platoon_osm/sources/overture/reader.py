@@ -9,7 +9,7 @@ from pathlib import Path
 from ...errors import MapDataError
 from ...network.load_report import Source
 from ...network.road_network import RoadNetwork
-from ..file_identity import ATTRIBUTION, LICENCE
+from ..file_identity import ATTRIBUTION, LICENCE, file_digest
 from ..osm.extract import network_of
 from ..osm.tables import raw_map
 from ..truck import TruckRules
@@ -49,7 +49,8 @@ def read_overture(
     """
     file = Path(path)
     try:
-        segments, digest = segments_of(file)
+        kinds = {kind.removesuffix("_link") for kind in classes}
+        segments, others = segments_of(file, kinds)
         parts = cut(segments)
         turns = turns_of(segments, parts)
     except MapDataError:
@@ -59,10 +60,11 @@ def read_overture(
         raise MapDataError(
             f"{file}: not a file of Overture segments, or damaged ({said}); {REMEDY}"
         ) from error
-    source = Source(file.name, digest, "", LICENCE, _attribution(segments))
+    source = Source(file.name, file_digest(file), "", LICENCE, _attribution(segments))
     raw = raw_map(
-        str(file), source, parts.ways, parts.nodes, turns, classes=classes, left_out=parts.counts
-    )
+        str(file), source, parts.ways, parts.nodes, turns,
+        classes=classes, left_out=parts.counts, others=others,
+    )  # fmt: skip
     net = network_of(raw, str(file), classes, rules)
     remark = "Overture's segments tell neither tolls, exits and barriers nor rest areas"
     return net.with_report(net.load_report.extended({}, remark))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ WANTED = (
     *NEEDED, "subclass", "subclass_rules", "road_flags", "names", "routes", "speed_limits",
     "access_restrictions", "prohibited_transitions", "sources",
 )  # fmt: skip
+ROAD = "road"
 REMEDY = "download segments of the theme transportation again"
 HEAD = 1 << 16
 ROUNDED = 1e-6
@@ -122,20 +124,23 @@ def is_overture(path: Path) -> bool:
     return all(f'"{name}"'.encode() in head for name in SIGNS_OF_IT)
 
 
-def segments_of(file: Path) -> tuple[list[Segment], str]:
-    """Return the road segments of a file, and its digest.
+def segments_of(file: Path, kinds: Collection[str]) -> tuple[list[Segment], Counter[str]]:
+    """Return the road segments of some classes.
 
     Parameters
     ----------
     file : Path
         GeoParquet or GeoJSON.
+    kinds : collection of str
+        Values of `class`. Only such segments are read whole: a file of all roads of a country holds
+        many times as many paths.
 
     Returns
     -------
     list of Segment
-        In the order of the file; what is no road is left out.
-    str
-        SHA-256 of the file.
+        In the order of the file.
+    Counter of str
+        How many other roads the file holds, by class.
 
     Raises
     ------
@@ -143,17 +148,36 @@ def segments_of(file: Path) -> tuple[list[Segment], str]:
         A segment that is no line on the earth. What else is wrong with a file shows in errors of
         the libraries that read it, or of keys and types.
     """
-    content, digest = read_bytes(file)
-    rows = _parquet_rows(file) if file.suffix.lower() in PARQUET else _json_rows(content)
-    return [_segment(file, row) for row in rows if row.get("subtype") == "road"], digest
+    others: Counter[str] = Counter()
+    is_parquet = file.suffix.lower() in PARQUET
+    rows = _parquet_rows(file, kinds, others) if is_parquet else _json_rows(read_bytes(file)[0])
+    found = []
+    for row in rows:
+        if row.get("subtype") != ROAD:
+            continue
+        if row["class"] in kinds:
+            found.append(_segment(file, row))
+        else:
+            others[str(row["class"])] += 1
+    return found, others
 
 
-def _parquet_rows(file: Path) -> Iterator[dict[str, Any]]:
+def _parquet_rows(
+    file: Path, kinds: Collection[str], others: Counter[str]
+) -> Iterator[dict[str, Any]]:
     import pyarrow.parquet
     import shapely
 
     names = pyarrow.parquet.read_schema(file).names
-    table = pyarrow.parquet.read_table(file, columns=[name for name in WANTED if name in names])
+    classes = pyarrow.parquet.read_table(file, columns=["class"], filters=[("subtype", "=", ROAD)])
+    for kind in classes["class"].value_counts().to_pylist():
+        if kind["values"] not in kinds:
+            others[str(kind["values"])] += kind["counts"]
+    table = pyarrow.parquet.read_table(
+        file,
+        columns=[name for name in WANTED if name in names],
+        filters=[("subtype", "=", ROAD), ("class", "in", list(kinds))],
+    )
     for row in table.to_pylist():
         row["geometry"] = shapely.from_wkb(row["geometry"])
         yield row
