@@ -4,7 +4,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from osm_files import MOTORWAY, row, write
 
@@ -299,6 +299,7 @@ def places(draw):
     return found
 
 
+@settings(max_examples=40)
 @given(places(), st.randoms())
 def test_every_part_is_in_one_stop_whatever_the_order(found, random):
     apart = RoadSides(np.array([[10.9, 45.0, 11.1, 45.0]]))
@@ -322,6 +323,7 @@ def test_every_part_is_in_one_stop_whatever_the_order(found, random):
             assert all(metres > 299 for metres in gap)
 
 
+@settings(max_examples=25)
 @given(st.integers(0, 2**32))
 def test_the_sides_of_roads_are_those_of_shapely(seed):
     import shapely
