@@ -2,7 +2,7 @@
 
 Of all roads within 1 km:
 
-1. A ramp that ends within 300 m of the stop, with no road between, leads to it: maps with few
+1. Ramps that end within 300 m of the stop, with no road between, lead to it: maps with few
    classes of road hold the ramp and not the lanes of the stop. The road is left where the ramp
    leaves it.
 2. Else it is the nearest road. Ramps that begin at no road lead away from a stop, not to it. A ramp
@@ -224,9 +224,13 @@ class StopRoads:
             return ()
         ending = np.flatnonzero(self._link[near.edge] & self._ends[near.edge])
         gaps = [(self._gap_m(near, int(edge)), int(edge)) for edge in near.edge[ending]]
+        by_ramp: dict[int, StopAccess] = {}
         for gap, edge in sorted(gaps):
-            if gap <= LINK_END_M and (found := self._before(edge, gap)):
-                return found
+            if gap <= LINK_END_M:
+                for access in self._before(edge, gap):
+                    by_ramp.setdefault(access.edge, access)
+        if by_ramp:
+            return tuple(by_ramp.values())
         edge = int(near.edge[0])
         if self._link[edge]:
             if self._ends[edge] and (found := self._before(edge, float(near.away_m[0]))):

@@ -262,6 +262,17 @@ def test_a_ramp_that_ends_at_a_stop_leads_to_it_though_another_road_is_nearer():
     assert access.beside_m == pytest.approx(along, abs=1)
 
 
+def test_ramps_from_both_directions_lead_to_a_stop_behind_an_exit():
+    off, over = [(1000, 0), (1300, -100)], [(2000, 30), (1600, 200), (1350, -150)]
+    lines = [*RAMPS[:3], [(4000, 30), (2000, 30)], [(2000, 30), (0, 30)], off, over]
+    net = drawn(lines, [(1400, -200)], classes=[MOTORWAY] * 5 + [LINK] * 2)
+    (stop,) = net.stops()
+    assert sorted(edges_of(stop)) == sorted(
+        [edge_of(net, (0, 0), (1000, 0)), edge_of(net, (4000, 30), (2000, 30))]
+    )
+    assert all(access.by_link for access in stop.accesses)
+
+
 def test_a_ramp_beyond_a_road_leads_to_another_stop():
     # On the north side a ramp ends nearer to the southern stop than anything but its own road.
     off = [(2500, 30), (2200, 100)]
