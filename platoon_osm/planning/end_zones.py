@@ -4,6 +4,10 @@ Such roads that hang together are a zone, with the open roads that one reaches o
 the yard behind a private gate. A trip whose origin or destination lies inside may drive its zone; a
 junction that the open network passes too is not inside, for a trip that starts there needs no such
 road. Every other zone is closed to the trip, so nobody drives through one.
+
+A search knows edges, not what was driven before: it may leave the trip's own zone and cut through
+it later. Its routes are the best of more than the lawful ones, so one that does not return is best
+among these; one that does is found by `returns` and told.
 """
 
 from __future__ import annotations
@@ -45,7 +49,7 @@ class EndZones:
         self._leaves, self._arrives = public.of("origin"), public.of("destination")
         # Open roads that the rest neither reaches nor is reached from lie behind the zone.
         behind = through & ~(self._leaves[net.head] | self._arrives[net.tail])
-        inside = ends | behind
+        self._inside = inside = ends | behind
         tail, head = net.tail[inside], net.head[inside]
         graph = csr_array((np.ones(len(tail), np.int8), (tail, head)), shape=(net.n, net.n))
         _, self._zone = connected_components(graph, directed=False)
@@ -67,3 +71,29 @@ class EndZones:
         inside += [int(self._zone[v]) for v in destinations if not self._arrives[v]]
         others: Marks = self._ends & ~np.isin(self._zone[self._net.tail], inside)
         return self._closed | others
+
+    def returns(self, edges: NDArray[np.int64], within: tuple[bool, bool]) -> int | None:
+        """Return where a route drives such a road that is neither its first nor its last mile.
+
+        Parameters
+        ----------
+        edges : ndarray of int64, (k,)
+            In driving order; none of them is closed to the trip.
+        within : (bool, bool)
+            Whether the trip starts, and ends, between the ends of an edge, not at a node.
+
+        Returns
+        -------
+        int or None
+            The first edge of such a piece; None if the route has none.
+        """
+        inside = self._inside[edges]
+        outside = np.flatnonzero(~inside)
+        if not len(outside):
+            return None
+        wrong = self._ends[edges]
+        if within[0] or not self._leaves[self._net.tail[edges[0]]]:
+            wrong[: outside[0]] = False
+        if within[1] or not self._arrives[self._net.head[edges[-1]]]:
+            wrong[outside[-1] :] = False
+        return int(edges[wrong.argmax()]) if wrong.any() else None

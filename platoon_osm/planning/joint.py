@@ -6,6 +6,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..costs.objective import Objective
 from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive
@@ -44,6 +47,7 @@ from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
 from .tunnels import passed_tunnels
 from .writing import written_plan
+from .zones_crossed import zones_crossed
 
 __all__ = ["plan_joint", "solve"]
 
@@ -166,7 +170,8 @@ def solve(problem: Problem) -> Plan:
     locations = located(problem.net, problem.trips, problem.access, problem.profile)
     places = placed(problem.net, locations, problem.access)
     net = places.net
-    fleet = fleet_of(problem, places, closed_roads(problem.net, problem.close))
+    shut = closed_roads(problem.net, problem.close)
+    fleet = fleet_of(problem, places, shut)
     problem = replace(problem, net=net)
     trees = _trees(problem, fleet, places)
     ends = resolve_trips(net, fleet, trees, problem.trips, places.ends)
@@ -188,12 +193,18 @@ def solve(problem: Problem) -> Plan:
         plan = lawful_company(question, best, plan, vehicles, finished)
     else:
         plan = timed(_by_astar(question))
-    return _with_rules(_with_limits(plan, net, vehicles), problem)
+    return _with_rules(_with_limits(plan, net, vehicles, shut), problem)
 
 
-def _with_limits(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> Plan:
-    """Remark what vehicles pass with little room, and tunnels with a category."""
-    remarks = (*tight_limits(plan, net, vehicles), *passed_tunnels(plan, net, vehicles))
+def _with_limits(
+    plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle], shut: NDArray[np.bool_]
+) -> Plan:
+    """Remark what vehicles pass with little room, tunnels with a category, and zones crossed."""
+    remarks = (
+        *tight_limits(plan, net, vehicles),
+        *passed_tunnels(plan, net, vehicles),
+        *zones_crossed(plan, net, vehicles, shut),
+    )
     return replace(plan, remarks=(*plan.remarks, *remarks)) if remarks else plan
 
 
