@@ -6,7 +6,9 @@ const { decoded } = planLines;
 /* Places, which a page holds as one line of points and one text of names, as the document has them. */
 const places = ({ at, names, ranks, told }) => {
   const named = names.split("\n");
-  const more = told?.split("\n") ?? Array.from(ranks, Number);
+  let last;
+  // An empty line is like the one before it.
+  const more = told?.split("\n").map((one) => (last = one || last)) ?? Array.from(ranks, Number);
   return decoded(at, 1).map(([lat, lon], i) => [lon, lat, named[i], ...more.slice(i, i + 1)]);
 };
 const data = unpacked(JSON.parse(document.getElementById("plan-data").textContent));

@@ -46,11 +46,17 @@ def page_data(document: Document, tiles: Tiles | None) -> str:
             "junctions": _packed(document.junctions),
             "stops": {
                 **_packed(document.stops),
-                "told": "\n".join(stop.told for stop in document.stops),
+                "told": _unrepeated([stop.told for stop in document.stops]),
             },
             "tiles": as_json(tiles),
         }
     )
+
+
+def _unrepeated(lines: Sequence[str]) -> str:
+    """Return lines of which one that is like the line before it is empty: many stops are alike."""
+    before = ["", *lines]
+    return "\n".join("" if one == last else one for one, last in zip(lines, before, strict=False))
 
 
 def _packed(
