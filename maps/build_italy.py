@@ -3,6 +3,7 @@
     python maps/build_italy.py            # writes maps/italy-motorways.osm
     python maps/build_italy.py --check    # prints lengths and doubtful sections, writes nothing
     python maps/build_italy.py --towns    # prints how far exits lie from the towns of their names
+    python maps/build_italy.py --waypoints FOLDER  # the same from Travel Mapping's list of exits
 
 The tables give the interchanges, exits and ends of every motorway with kilometre post and
 position (format: maps/README.md). This script draws a smooth line through the positions, makes
@@ -28,6 +29,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 import numpy.typing as npt
 from italy_towns import Exit, compare
+from italy_waypoints import compare_waypoints
 
 HERE = Path(__file__).resolve().parent
 TABLES = HERE / "italy"
@@ -1025,6 +1027,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--output", type=Path, default=OUTPUT, help="OSM XML file to write")
     parser.add_argument("--check", action="store_true", help="report doubtful rows, write nothing")
     parser.add_argument("--towns", action="store_true", help="compare exits with towns, no writing")
+    parser.add_argument("--waypoints", type=Path, help="compare exits with .wpt files, no writing")
     options = parser.parse_args(arguments)
     try:
         tables = read_tables(options.tables)
@@ -1035,6 +1038,9 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     if options.towns:
         print("\n".join(compare(exits_of(tables))))
+        return 0
+    if options.waypoints:
+        print("\n".join(compare_waypoints(exits_of(tables), options.waypoints)))
         return 0
     if options.check:
         report = check(tables, lines)

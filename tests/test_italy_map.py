@@ -334,6 +334,26 @@ def test_exits_are_compared_with_the_towns_they_are_named_after(
     ]
 
 
+def test_exits_are_compared_with_waypoints(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "maps"))
+    from italy_towns import Exit
+    from italy_waypoints import compare_waypoints
+
+    url = "http://www.example.org/?"
+    (tmp_path / "ita.a099.wpt").write_text(
+        f"SS1 +Old {url}lat=45.000000&lon=9.000000\n+X1 {url}lat=45.1&lon=9.1\n\n"
+        f"*SP2 {url}lat=45.018000&lon=9.0\nno waypoint\nFar {url}lat=45.05&lon=9.0",
+        encoding="utf-8",
+    )
+    exits = [Exit("A1", "Uno", 45.001, 9.0), Exit("A2", "Due", 46.0, 9.0)]
+    assert compare_waypoints(exits, tmp_path) == [
+        "2 of 3 waypoints (66.7%) have an exit within 2 km",
+        "look:  ita.a099 Far: 5.4 km from A1 Uno",
+    ]
+    (empty := tmp_path / "none").mkdir()
+    assert compare_waypoints(exits, empty)[0].startswith(f"{empty}: holds no waypoints; give ")
+
+
 def test_pyosmium_reads_the_file(italy: Parsed) -> None:
     osmium = pytest.importorskip("osmium")
     counts = {"n": 0, "w": 0}
