@@ -8,7 +8,6 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from .antimeridian import wrapped_deg
 from .coordinate_text import printed_position
 from .geodesy import distance_m
 from .naming import towns_around
@@ -62,9 +61,7 @@ def _about_there(net: RoadNetwork, own: str) -> NDArray[np.bool_]:
     there = np.zeros(net.n, bool)
     if position := printed_position(own):
         lon, lat = position
-        there |= (abs(wrapped_deg(net.lon - lon)) <= ROUNDING_DEG) & (
-            abs(net.lat - lat) <= ROUNDING_DEG
-        )
+        there |= (abs(net.lon - lon) <= ROUNDING_DEG) & (abs(net.lat - lat) <= ROUNDING_DEG)
     around = towns_around(net)
     for near in islice(re.finditer(r"(?<!\S)near ", own), MOST_CUTS):
         for at in around.positions(fold(own[near.end() :])):

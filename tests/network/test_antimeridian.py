@@ -24,7 +24,6 @@ from platoon_osm.network.preparing.placing import BesideRoad, placing
 from platoon_osm.network.preparing.simplify import merge_chains
 from platoon_osm.network.preparing.split import split_edges
 from platoon_osm.network.preparing.unrolled import unrolled
-from platoon_osm.network.printed_names import nodes_printed_as
 from platoon_osm.network.road_network import RoadNetwork, format_position
 from platoon_osm.network.road_points import road_points
 from platoon_osm.network.texts import TextTable
@@ -218,13 +217,6 @@ def test_connectors_are_inferred_across_it(shift):
 def test_a_junction_on_both_sides_has_one_place_between():
     (place,) = PlaceIndex(around_180()).called("date line")
     assert abs(place.lon) == pytest.approx(180.0)
-
-
-def test_a_printed_position_is_found_on_the_other_side():
-    net = RoadNetwork.from_edges([0], [1], lon=[-179.99996, -179.0], lat=[-17.0, -17.0])
-    assert "180.000 W" in net.place_name(0) or "near" in net.place_name(0)
-    (group,) = nodes_printed_as(net, net.place_name(0))
-    assert group == [0]
 
 
 def grid(shift):
