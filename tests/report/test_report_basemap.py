@@ -88,7 +88,7 @@ def test_simplified_lines_keep_to_the_road(net: RoadNetwork) -> None:
 
 
 def test_far_roads_are_drawn_coarsely(net: RoadNetwork) -> None:
-    """Near a plan to 20 m, elsewhere to 300 m more; ends stay where they are."""
+    """Near a plan to 40 m, elsewhere to 300 m more; ends stay where they are."""
     scale = metre_scale(net)
     whole = network_lines(net, EVERYWHERE, inferred=False)
     far = network_lines(net, (0.0, 0.0, 1.0, 1.0), inferred=False)

@@ -92,9 +92,10 @@ def test_first_paint_at_20000_edges(
     grid_file: Path, visit: Visit, record_property: Callable[[str, Any], None]
 ) -> None:
     opened = visit(grid_file)
-    paint = opened.page.evaluate(
-        "performance.getEntriesByName('first-contentful-paint')[0].startTime"
-    )
+    # A busy machine notes it some time after it has painted.
+    painted = "performance.getEntriesByName('first-contentful-paint')"
+    opened.page.wait_for_function(f"{painted}.length > 0")
+    paint = opened.page.evaluate(f"{painted}[0].startTime")
     record_property("first_contentful_paint_ms", paint)
     assert paint < FIRST_PAINT_MS * PATIENCE
     opened.check(grid_file)

@@ -35,8 +35,8 @@ ROUTE_STEPS = 100_000
 Frame = tuple[float, float, float, float]
 """West, south, east and north in degrees."""
 
-BASEMAP_TOLERANCE_M = 35.0
-FAR_TOLERANCE_M = 400.0
+BASEMAP_TOLERANCE_M = 40.0
+FAR_TOLERANCE_M = 300.0
 """Of roads far from a plan, which are seen from afar only: half the text, and a pixel there."""
 
 ROUTE_TOLERANCE_M = 8.0
