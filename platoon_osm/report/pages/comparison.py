@@ -33,7 +33,7 @@ MOST_BY_VEHICLE = 12
 MOST_BACKGROUND = 16_000
 """Letters of the network under the maps of one of several sets of trips."""
 
-BARS_LEFT, BARS_RIGHT, BAR_ROW = 4.0, 480.0, 26
+BARS_LEFT, BARS_RIGHT, BAR_ROW, BAR_TITLE = 4.0, 474.0, 26, 26
 
 
 def write_comparison(
@@ -233,7 +233,7 @@ def _bars(plans: Sequence[Document], key: str) -> Tree:
             Piece(
                 "comparison-bars-row",
                 {
-                    "y": 22 + (BAR_ROW + 18) * place,
+                    "y": 22 + (BAR_ROW + BAR_TITLE) * place,
                     "title": plan.title,
                     "shapes": tuple(shapes),
                     "zero": f"{zero:.1f}",
@@ -243,7 +243,7 @@ def _bars(plans: Sequence[Document], key: str) -> Tree:
         )
     return Piece(
         "comparison-bars",
-        {"key": key, "height": 10 + (BAR_ROW + 18) * len(plans), "rows": tuple(rows)},
+        {"key": key, "height": 6 + (BAR_ROW + BAR_TITLE) * len(plans), "rows": tuple(rows)},
     )
 
 
