@@ -212,7 +212,8 @@ def _network(what: str, raw: RawMap, ways: WayTable) -> RoadNetwork:
     keep[position] = [row[3] for row in junctions]
     # A quay stays, so that a crossing is an edge of its own.
     afloat = ways.road_class[of] == class_code("ferry")
-    keep[np.intersect1d(node[np.tile(afloat, 2)], node[np.tile(~afloat, 2)])] = True
+    if afloat.any():
+        keep[np.intersect1d(node[np.tile(afloat, 2)], node[np.tile(~afloat, 2)])] = True
     report = LoadReport(counts | dict(sorted(told.items())))
     try:
         net = RoadNetwork.from_edges(

@@ -156,7 +156,9 @@ class _Collector:
         if way.deleted:
             self.deleted.add(way.id)
             return
-        if is_for_others(way.tags):
+        tags = way.tags
+        # Asked first, for most ways are roads.
+        if "amenity" in tags and is_for_others(tags):
             return
         if self.deleted:
             self.deleted.discard(way.id)

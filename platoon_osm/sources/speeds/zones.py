@@ -132,7 +132,10 @@ def zone_of_tags(tags: Mapping[str, str], side: str) -> Zone | None:
     """
     for key in ZONE_KEYS:
         for own in (f"{key}:{side}", key):
-            zones = [zone_of_text(part, strict=True) for part in tags.get(own, "").split(";")]
+            text = tags.get(own)
+            if not text:
+                continue
+            zones = [zone_of_text(part, strict=True) for part in text.split(";")]
             known = [zone for zone in zones if zone is not None]
             if known:
                 return min(known, key=lambda zone: SLOWEST_FIRST.index(zone.kind))
