@@ -23,6 +23,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from .antimeridian import wrapped_deg
 from .columns import ROAD_CLASSES
 from .driving_side import keeps_left
 from .geodesy import metres_per_degree
@@ -98,9 +99,8 @@ class StopRoads:
         first = np.flatnonzero(inner & usable[owner])
         self._first, self._owner = first, owner[first]
         lon, lat = net.shape_lon, net.shape_lat
-        step = np.diff(lon, append=0.0)[first]
-        # Across the date line a piece goes on beyond 180 degrees.
-        self._step = np.where(np.abs(step) > 180, (step + 180) % 360 - 180, step)
+        # Across the antimeridian a piece goes on beyond 180 degrees.
+        self._step = wrapped_deg(np.diff(lon, append=0.0)[first])
         x, y = lon[first], lat[first]
         x2, y2 = x + self._step, lat[first + 1]
         boxes = shapely.box(np.minimum(x, x2), np.minimum(y, y2), np.maximum(x, x2),
@@ -208,8 +208,7 @@ class StopRoads:
             begin, end = int(net.shape_first[edge]), int(net.shape_first[edge + 1])
             lat = net.shape_lat[begin:end]
             per_lon, per_lat = metres_per_degree((lat[1:] + lat[:-1]) / 2)
-            step = np.diff(net.shape_lon[begin:end])
-            step = np.where(np.abs(step) > 180, (step + 180) % 360 - 180, step)
+            step = wrapped_deg(np.diff(net.shape_lon[begin:end]))
             length = np.hypot(step * per_lon, np.diff(lat) * per_lat)
             at = piece - begin
             whole = length.sum()
@@ -243,7 +242,7 @@ class StopRoads:
         """Return how far a ramp ends from the stop; infinite with a road between."""
         net, head = self._net, int(self._net.head[link])
         per_lon, per_lat = metres_per_degree(near.lat)
-        turn = (float(net.lon[head]) - near.lon + 180) % 360 - 180
+        turn = float(wrapped_deg(float(net.lon[head]) - near.lon))
         east, north = turn * float(per_lon), (float(net.lat[head]) - near.lat) * float(per_lat)
         gap = float(np.hypot(east, north))
         roads = np.flatnonzero((near.away_m < gap) & ~self._link[near.edge])

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...network.antimeridian import near_deg
 from ...network.geodesy import distance_m
 from ...network.road_network import RoadNetwork
 from ...network.towns.surroundings import GEONAMES_CREDIT
@@ -123,7 +124,7 @@ def _listed(
     table = bundled_towns()
     middle = (frame.west + frame.east) / 2
     # As far round the globe as the frame is.
-    lon = table.lon + 360 * np.round((middle - table.lon) / 360)
+    lon = near_deg(table.lon, middle)
     inside = (lon > frame.west) & (lon < frame.east)
     inside &= (table.lat > frame.south) & (table.lat < frame.north)
     rows = np.flatnonzero(inside & (table.population >= least))
