@@ -13,6 +13,8 @@ import re
 from collections.abc import Mapping
 from math import isnan, nan, radians, tan
 
+from ..vehicles.units import FOOT_M
+
 __all__ = ["INCLINE_TAGS", "STEEPEST", "read_height_m", "read_slope", "slope_along"]
 
 INCLINE_TAGS = frozenset({"incline", "incline:forward", "incline:backward"})
@@ -22,8 +24,6 @@ STEEPEST = 0.3
 
 LOWEST_M, HIGHEST_M = -450.0, 9000.0
 """The shore of the Dead Sea lies at -430 m, and no road reaches 6,000 m."""
-
-FT_IN_M = 0.3048
 
 NUMBER = r"[-+\u2212]?[0-9][0-9.,\u00a0\u202f ']*"
 HEIGHT = re.compile(rf"({NUMBER}?) ?(m|metres?|meters?|ft|feet|foot|'|\u2032)?", re.IGNORECASE)
@@ -66,7 +66,7 @@ def _height_m(text: str) -> float:
     found = HEIGHT.fullmatch(ROUGHLY.sub("", " ".join(text.split())))
     if not found:
         return nan
-    factor = FT_IN_M if (found.group(2) or "").lower() in FEET else 1.0
+    factor = FOOT_M if (found.group(2) or "").lower() in FEET else 1.0
     height = _number(found.group(1)) * factor
     if height > HIGHEST_M and found.group(1).count(",") == 1:
         height = _number(found.group(1).replace(",", ".")) * factor

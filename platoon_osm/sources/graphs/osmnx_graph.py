@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import hashlib
 import io
 import os
 import warnings
@@ -19,7 +18,7 @@ from ...errors import MapDataError, NetworkError
 from ...network.load_report import Source
 from ...network.road_network import RoadNetwork
 from ..country.roads import countries_of
-from ..file_identity import osm_source, read_bytes
+from ..file_identity import file_digest, osm_source, read_bytes
 from ..road_choice import RoadChoice, class_code
 from ..truck import TruckRules
 from .edge_tags import edge_class, truck_tags
@@ -204,11 +203,7 @@ def read_geopackage(
 
     file = Path(path)
     remedy = "save it with osmnx.io.save_graph_geopackage"
-    try:
-        with file.open("rb") as handle:
-            digest = hashlib.file_digest(handle, "sha256").hexdigest()
-    except OSError as error:
-        raise MapDataError(f"{file}: cannot be read ({error.strerror}); check the path") from error
+    digest = file_digest(file)
     try:
         with warnings.catch_warnings(record=True) as noticed:
             warnings.simplefilter("always")

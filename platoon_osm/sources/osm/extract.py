@@ -175,9 +175,14 @@ def _network(what: str, raw: RawMap, ways: WayTable) -> RoadNetwork:
     base = both(ways.restriction, ways.backward_restriction)[own]
     at_nodes = {node: (layer,) for node, layer in barriers.items()}
     passed = {
-        segment: encode((*decode(ways.texts[base[segment]]), *at_nodes.get(node, ()), *turn))
+        segment: encode(
+            (
+                *decode(ways.texts[base[segment]]),
+                *at_nodes.get(node, ()),
+                *split.layers.get(segment, ()),
+            )
+        )
         for segment, node in _restricted(tails[own], at_nodes, split.layers)
-        for turn in (split.layers.get(segment, ()),)
     }
 
     summed = {name: values[own] for name, values in summed.items()}

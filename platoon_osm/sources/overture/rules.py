@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 from ...vehicles.access import CHAIN
 from ...vehicles.conditional_values import CONDITIONAL
+from ...vehicles.units import FOOT_M, INCH_M, LONG_TON_T, POUND_T, SHORT_TON_T
 
 __all__ = ["BACKWARD", "EVERYBODY", "FORWARD", "access_tags", "keys_of", "speed_tags", "when_text"]
 
@@ -52,13 +53,13 @@ DIMENSIONS: Mapping[str, str] = {
     "axle_count": "axles",
 }  # fmt: skip
 METRES: Mapping[str, float] = {
-    "m": 1.0, "cm": 0.01, "km": 1000.0, "in": 0.0254, "ft": 0.3048, "yd": 0.9144, "mi": 1609.344,
+    "m": 1.0, "cm": 0.01, "km": 1000.0, "in": INCH_M, "ft": FOOT_M, "yd": 3 * FOOT_M,
+    "mi": 5280 * FOOT_M,
 }  # fmt: skip
 TONNES: Mapping[str, float] = {
-    "t": 1.0, "kg": 1e-3, "g": 1e-6, "lb": 0.45359237e-3, "oz": 0.028349523125e-3,
-    "st": 0.90718474, "lt": 1.0160469088,
+    "t": 1.0, "kg": 1e-3, "g": 1e-6, "lb": POUND_T, "oz": POUND_T / 16,
+    "st": SHORT_TON_T, "lt": LONG_TON_T,
 }  # fmt: skip
-"""Exact by definition (NIST Handbook 44, appendix C); st and lt are short and long tons."""
 
 
 def keys_of(when: Rule) -> tuple[str, ...]:
@@ -153,7 +154,7 @@ def access_tags(rules: Iterable[Rule], counts: Counter[str]) -> Tags:
             counts["access rules not read: a size that is not known"] += 1
         if value is None or condition is None:
             continue
-        heading = f":{when['heading']}" if when.get("heading") else ""
+        heading = _heading(when)
         for key in keys:
             limit = _limit(when, value, key)
             if limit:
@@ -166,6 +167,11 @@ def access_tags(rules: Iterable[Rule], counts: Counter[str]) -> Tags:
                 _take_back(tags, key, heading, value)
                 tags[f"{key}{heading}"] = value
     return tags
+
+
+def _heading(when: Rule) -> str:
+    """Return the end of a key that holds for the heading of a scope; empty for both."""
+    return f":{when['heading']}" if when.get("heading") else ""
 
 
 def _names(when: Rule) -> set[str]:
@@ -232,7 +238,7 @@ def speed_tags(rules: Sequence[Rule], counts: Counter[str]) -> Tags:
         if condition is None or when.get("using") or when.get("recognized"):
             counts["speed limits not read: for some purpose or size"] += 1
             continue
-        heading = f":{when['heading']}" if when.get("heading") else ""
+        heading = _heading(when)
         # A limit of trucks of any size holds for heavy ones too.
         whom = "maxspeed:hgv" if "hgv" in keys else "maxspeed"
         told = f"{speed['value']}{' mph' if speed.get('unit') == 'mph' else ''}"
