@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -129,7 +129,7 @@ def stops_along(
     NetworkError
         An edge that is none.
     """
-    return tuple(one for one in _along(net, edges, span) if one.stop.kind != "tunnel")
+    return tuple(_along(net, edges, span, STOP_KINDS))
 
 
 def tunnels_along(
@@ -156,12 +156,14 @@ def tunnels_along(
     NetworkError
         An edge that is none.
     """
-    return tuple(one for one in _along(net, edges, span) if one.stop.kind == "tunnel")
+    return tuple(_along(net, edges, span, ("tunnel",)))
 
 
-def _along(net: RoadNetwork, edges: Iterable[int], span: tuple[float, float]) -> list[PassedStop]:
+def _along(
+    net: RoadNetwork, edges: Iterable[int], span: tuple[float, float], kinds: Sequence[str]
+) -> list[PassedStop]:
     ids = checked_edges(list(edges), net.m).tolist()
-    if not (net.points.kind < POINT_KINDS.index("city")).any():
+    if not np.isin(net.points.kind, [POINT_KINDS.index(kind) for kind in kinds]).any():
         return []
     stops = net.attached(Stops)
     begin, end = span
@@ -172,7 +174,7 @@ def _along(net: RoadNetwork, edges: Iterable[int], span: tuple[float, float]) ->
         for stop, access in stops.on(edge):
             late = place == 0 and access.share < begin
             early = place == len(ids) - 1 and access.share > end
-            if not late and not early:
+            if stop.kind in kinds and not late and not early:
                 found.append(PassedStop(stop, access, place, start + access.share * length))
         start += length
     return found

@@ -19,6 +19,7 @@ from .fleet import Fleet
 from .places import PlacedEnds
 from .problem import Problem
 from .road_closures import without_roads
+from .told_edge import place_of, road_of
 
 __all__ = ["fleet_of"]
 
@@ -98,12 +99,12 @@ class _Roads:
 
     def why(self, vehicle: Vehicle, edge: int) -> str:
         """Tell why an edge is closed to a vehicle."""
-        road = self._net.edge_ref(edge) or self._net.edge_name(edge) or "a road"
+        road = road_of(self._net, edge)
         if self._closed[edge]:
             return f"{road} is to count as closed"
         judged = self._net.attached(Closures).on(edge, vehicle)
         who = "" if judged.way == Way.CLOSED else ", to through traffic"
-        near = self._net.place_name(int(self._net.tail[edge]))
+        near = place_of(self._net, edge)
         return f"{road} near {near} is closed to {vehicle.name}{who}: {'; '.join(judged.reasons)}"
 
     def closed_to(

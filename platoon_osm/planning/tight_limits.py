@@ -10,6 +10,7 @@ from ..plans.plan import Plan
 from ..vehicles.closures import Closures
 from ..vehicles.limits import Passed
 from ..vehicles.profile import Vehicle
+from .told_edge import place_of, road_of
 
 __all__ = ["tight_limits"]
 
@@ -44,9 +45,9 @@ def tight_limits(plan: Plan, net: RoadNetwork, vehicles: Sequence[Vehicle]) -> I
             if not net.restriction[edge]:
                 continue
             for passed in closures.on(edge, vehicle).margins:
-                road = net.edge_ref(edge) or net.edge_name(edge) or "a road"
+                road = road_of(net, edge)
                 room = (passed.limit - passed.value) / passed.limit
-                place = net.place_name(int(net.tail[edge]))
+                place = place_of(net, edge)
                 found.setdefault((passed.key, passed.limit, road), (room, passed, place))
         told = sorted(found.items(), key=lambda one: (one[1][0], one[0]))
         for (key, limit, road), (_, passed, place) in told[:MOST_TOLD]:

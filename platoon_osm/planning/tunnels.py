@@ -15,6 +15,7 @@ from ..plans.plan import Plan
 from ..vehicles.closures import Closures
 from ..vehicles.judgement import TUNNEL
 from ..vehicles.profile import Vehicle
+from .told_edge import place_of, road_of
 
 __all__ = ["passed_tunnels"]
 
@@ -59,8 +60,7 @@ def _tunnels(net: RoadNetwork, edges: Sequence[int], hazardous: bool) -> Iterato
     """Yield category and place of the tunnels on a path, those that follow each other as one."""
     closures = net.attached(Closures)
     names: dict[int, list[tuple[str, str]]] = {}
-    bored = (net.points.kind == POINT_KINDS.index("tunnel")).any()
-    for passed in tunnels_along(net, edges) if bored else ():
+    for passed in tunnels_along(net, edges):
         category = _category(decode(passed.stop.tags))
         names.setdefault(passed.place, []).append((category, passed.stop.name))
     before = ""
@@ -80,5 +80,4 @@ def _category(layers: Sequence[dict[str, str]]) -> str:
 
 
 def _where(net: RoadNetwork, edge: int, name: str) -> str:
-    road = name or net.edge_name(edge) or net.edge_ref(edge) or "a road"
-    return f"{road}, {net.place_name(int(net.tail[edge]))}"
+    return f"{name or net.edge_name(edge) or road_of(net, edge)}, {place_of(net, edge)}"

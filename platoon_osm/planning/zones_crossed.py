@@ -14,6 +14,7 @@ from ..plans.records import Stop
 from ..vehicles.closures import Closures
 from ..vehicles.profile import Vehicle
 from .end_zones import EndZones
+from .told_edge import place_of, road_of
 
 __all__ = ["zones_crossed"]
 
@@ -66,11 +67,9 @@ def zones_crossed(
         )
         at = zones[vehicle].returns(edges, within)
         if at is not None:
-            road = net.edge_ref(at) or net.edge_name(at) or "a road"
-            place = net.place_name(int(net.tail[at]))
             yield (
                 f"{own.vehicle} returns on its way to roads for residents that it had left "
-                f"({road}, {place}): check whether it may"
+                f"({road_of(net, at)}, {place_of(net, at)}): check whether it may"
             )
 
 
