@@ -1,6 +1,7 @@
-"""What driving rules are to a planner: who looks at a vehicle's day and says what is not allowed.
+"""What driving rules are to a planner, and which there are.
 
-A new set of rules needs no base class; any object with these members will do.
+A set of rules is a name and its limits. A new one needs no base class; any object with these
+members will do, and `RULES.add` makes it known to scenarios and to the command.
 """
 
 from __future__ import annotations
@@ -9,7 +10,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-__all__ = ["NO_RULES", "Drive", "DrivingRules", "NoRules", "Violation"]
+from ..errors import ScenarioError
+from ..kinds import kind_of
+from ..registry import Registry
+from .eu561 import EU561, EU561_TEAM
+from .limits import UNLIMITED, Limits
+from .us395 import US395
+
+__all__ = [
+    "NO_RULES", "RULES", "Drive", "DrivingRules", "Rules", "Violation", "limits_of", "rules_of",
+    "spread_of",
+]  # fmt: skip
+
+SPREAD = 2700.0 / 32400.0
+"""The paper's rest: 45 min for every 9 h of driving."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +62,11 @@ class Violation:
 
 
 class DrivingRules(Protocol):
-    """The law, or a carrier's own rules, on driving times and breaks."""
+    """The law, or a carrier's own rules, on driving times and breaks.
+
+    Rules by which breaks and rests are to be planned have a method `limits(drivers)`, as `Rules`
+    has; those without it only remark. `spread`, likewise, is 0 where there is none.
+    """
 
     @property
     def name(self) -> str:
@@ -56,7 +74,7 @@ class DrivingRules(Protocol):
         ...
 
     def violations(self, day: Sequence[Drive]) -> list[Violation]:
-        """Return what a day breaks.
+        """Return what a day breaks beyond the limits, for the plan to remark.
 
         Parameters
         ----------
@@ -72,13 +90,57 @@ class DrivingRules(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class NoRules:
-    """No rules at all: any day is allowed."""
+class Rules:
+    """A set of rules that is nothing but its limits.
 
-    name: str = "none"
+    Attributes
+    ----------
+    name : str
+        What it is called in scenarios and plans.
+    about : str
+        One line for lists.
+    alone : Limits
+        Of one driver.
+    team : Limits or None
+        Of two in one vehicle; None if the rules are not planned for two.
+    spread : float
+        Rest that is spread over the driving, as a share of it.
+    """
+
+    name: str
+    about: str
+    alone: Limits = UNLIMITED
+    team: Limits | None = None
+    spread: float = 0.0
+
+    def limits(self, drivers: int) -> Limits:
+        """Return what is allowed to a vehicle.
+
+        Parameters
+        ----------
+        drivers : int
+            1 or 2.
+
+        Returns
+        -------
+        Limits
+            Theirs.
+
+        Raises
+        ------
+        ScenarioError
+            Two drivers, under rules that are not planned for two.
+        """
+        if drivers == 1 or self.alone == UNLIMITED:
+            return self.alone
+        if self.team is None:
+            raise ScenarioError(
+                f"driving rules {self.name!r} are not planned for two drivers; give one"
+            )
+        return self.team
 
     def violations(self, day: Sequence[Drive]) -> list[Violation]:
-        """Return nothing, whatever the day.
+        """Return nothing: a plan under limits keeps them.
 
         Parameters
         ----------
@@ -94,4 +156,81 @@ class NoRules:
         return []
 
 
-NO_RULES = NoRules()
+RULES: Registry[Rules] = Registry("driving rules")
+RULES.add(Rules("none", "no rules: any day is allowed"))
+RULES.add(Rules("eu561", "Regulation (EC) 561/2006 and Directive 2002/15/EC", EU561, EU561_TEAM))
+RULES.add(Rules("us395", "49 CFR 395.3, drivers who carry property", US395))
+RULES.add(
+    Rules("spread-rest", "the paper's: 45 min of rest for 9 h, spread over the way", spread=SPREAD)
+)
+
+NO_RULES = RULES.find("none")
+"""Any day is allowed."""
+
+
+def rules_of(given: object) -> DrivingRules:
+    """Return driving rules from what was given.
+
+    Parameters
+    ----------
+    given : str or DrivingRules
+        A name of `RULES`, or rules.
+
+    Returns
+    -------
+    DrivingRules
+        The rules.
+
+    Raises
+    ------
+    ScenarioError
+        An unknown name, or an object that answers none of what rules are asked.
+    """
+    if isinstance(given, str):
+        return RULES.find(given)
+    if isinstance(given, type) or not callable(getattr(given, "violations", None)):
+        raise ScenarioError(
+            f"plan: rules is a {kind_of(given)}; give driving rules, such as NO_RULES, or one of "
+            f"{', '.join(RULES)}"
+        )
+    return given  # type: ignore[return-value]
+
+
+def limits_of(rules: DrivingRules, drivers: int = 1) -> Limits:
+    """Return what rules allow to a vehicle.
+
+    Parameters
+    ----------
+    rules : DrivingRules
+        Of a problem.
+    drivers : int
+        1, or 2 who take turns.
+
+    Returns
+    -------
+    Limits
+        By which breaks and rests are planned; `UNLIMITED` for rules that only remark.
+
+    Raises
+    ------
+    ScenarioError
+        Two drivers, under rules that are not planned for two.
+    """
+    ask = getattr(rules, "limits", None)
+    return UNLIMITED if ask is None else ask(drivers)
+
+
+def spread_of(rules: DrivingRules) -> float:
+    """Return the rest that rules spread over the driving.
+
+    Parameters
+    ----------
+    rules : DrivingRules
+        Of a problem.
+
+    Returns
+    -------
+    float
+        As a share of the driving time; 0 under any law.
+    """
+    return float(getattr(rules, "spread", 0.0))

@@ -9,7 +9,7 @@ from typing import Any, Literal, get_args
 
 from ..costs.objective import Objective, check_objective
 from ..costs.weights import EdgeWeights
-from ..driving.rules import NO_RULES, DrivingRules
+from ..driving.rules import NO_RULES, DrivingRules, limits_of, rules_of
 from ..errors import ScenarioError, brief
 from ..kinds import is_number, is_whole, kind_of
 from ..network.access import STANDARD_ACCESS, Access
@@ -41,8 +41,12 @@ class Problem:
         One or more; any iterable of trips will do.
     objective : Objective or EdgeWeights
         What every edge costs and what waiting does.
-    rules : DrivingRules
-        Rules of driving times. What a plan breaks of them is remarked; they do not change it.
+    rules : DrivingRules or str
+        Rules of driving times, or the name of some: "eu561", "us395", "spread-rest", "none". Breaks
+        and rests are planned by their limits; what else a plan breaks of them is remarked.
+    task_relief : float
+        How much a follower's driving clock slows under the rules, from 0, as the law has it today,
+        to 1, as the paper has it.
     case : {"A", "B", "C", "D", "best"}
         "A" members merge and stay, "B" start together and separate, "C" both, "D" two vehicles
         whose routes are both free, "best" the cheapest of those that apply.
@@ -83,6 +87,7 @@ class Problem:
     trips: tuple[Trip, ...]
     objective: Objective | EdgeWeights
     rules: DrivingRules = NO_RULES
+    task_relief: float = 0.0
     case: str = "best"
     master: str | None = None
     method: Method = "dijkstra"
@@ -111,9 +116,10 @@ class Problem:
             ("company", self.company, get_args(Company)),
         ):
             check_choice(label, value, allowed)
-        if not callable(getattr(self.rules, "violations", None)):
+        object.__setattr__(self, "rules", rules_of(self.rules))
+        if not (is_number(self.task_relief) and 0 <= self.task_relief <= 1):
             raise ScenarioError(
-                f"plan: rules is a {kind_of(self.rules)}; give driving rules, such as NO_RULES"
+                f"task_relief is {brief(self.task_relief)}; give a number from 0 to 1"
             )
         if not isinstance(self.access, Access):
             raise ScenarioError(f"plan: access is a {kind_of(self.access)}; give an Access")
@@ -148,6 +154,8 @@ class Problem:
         if self.case == "D" and self.method != "dijkstra":
             raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
         check_one_clock(self.trips)
+        for trip in self.trips:
+            limits_of(self.rules, trip.driver.drivers)
 
     def __repr__(self) -> str:
         return (

@@ -1,8 +1,9 @@
 """A plan as plain JSON types, and back; docs/plan.schema.json describes the form.
 
-Version 5 is the record itself. Version 4 did not tell what vehicles are like, version 3 knew no
-places between junctions or beside the road; both are read as they stand. Versions 1 and 2 held each
-vehicle's legs, and version 1 no times; both are read by `older_versions`.
+Version 6 is the record itself. Version 5 knew no pauses and no drivers, version 4 did not tell what
+vehicles are like, version 3 knew no places between junctions or beside the road; all are read as
+they stand. Versions 1 and 2 held each vehicle's legs, and version 1 no times; both are read by
+`older_versions`.
 """
 
 from __future__ import annotations
@@ -33,9 +34,9 @@ from .timetable import Timetable
 
 __all__ = ["PLAN_VERSION", "plan_from_dict"]
 
-PLAN_VERSION = 5
+PLAN_VERSION = 6
 
-RECORDS = (3, 4, PLAN_VERSION)
+RECORDS = (3, 4, 5, PLAN_VERSION)
 """Versions that are the record itself; what a later one added has a default."""
 
 Made = TypeVar("Made")

@@ -10,6 +10,7 @@ from typing import Any
 from ..errors import ScenarioError
 from ..kinds import is_number
 from .clock import Clock, Offsets
+from .pauses import DriverDay, Pause, driver_from_dict, pause_from_dict
 
 __all__ = ["LATE_S", "Timetable", "VehicleTimes"]
 
@@ -35,6 +36,11 @@ class VehicleTimes:
         right there.
     earliest_departure_s, latest_departure_s, latest_arrival_s : float or None
         What its trip asked for.
+    pauses : tuple of Pause
+        Why and where it stands in the gaps between legs, in order of time. A gap without one is a
+        wait for others.
+    drivers : tuple of DriverDay
+        Who drives, under driving rules; none without.
     """
 
     vehicle: str
@@ -43,6 +49,8 @@ class VehicleTimes:
     earliest_departure_s: float | None = None
     latest_departure_s: float | None = None
     latest_arrival_s: float | None = None
+    pauses: tuple[Pause, ...] = ()
+    drivers: tuple[DriverDay, ...] = ()
 
     def __post_init__(self) -> None:
         where = f"plan: times of {self.vehicle!r}"
@@ -54,6 +62,17 @@ class VehicleTimes:
             raise ScenarioError(f"{where} must be finite numbers of seconds; plan again")
         if list(moments) != sorted(moments):
             raise ScenarioError(f"{where} run backwards; plan again")
+        ends = (self.departure_s, *(end for _, end in self.legs))
+        for pause in self.pauses:
+            fits = pause.before < len(self.legs) and (
+                ends[pause.before] - LATE_S <= pause.start_s
+                and pause.end_s <= self.legs[pause.before][0] + LATE_S
+            )
+            if not fits:
+                raise ScenarioError(f"{where} have a pause while it drives; plan again")
+        for driver in self.drivers:
+            if any(not 0 <= leg < len(self.legs) for leg in driver.drives or ()):
+                raise ScenarioError(f"{where} have a driver on no leg of it; plan again")
 
     @property
     def arrival_s(self) -> float:
@@ -113,6 +132,10 @@ class Timetable:
     patience_s : float or None
         How far company was allowed to move a vehicle that names no window [s]; None if that was
         not limited, or is not known.
+    rules : str
+        Name of the driving rules by which breaks and rests were planned; empty if there were none.
+    task_relief : float
+        How much a follower's driving clock slows under them, [0, 1].
     """
 
     start: str
@@ -121,6 +144,8 @@ class Timetable:
     zone: str = ""
     offsets: Offsets = ()
     patience_s: float | None = None
+    rules: str = ""
+    task_relief: float = 0.0
 
     def __post_init__(self) -> None:
         clock = self.clock
@@ -133,6 +158,8 @@ class Timetable:
         patience = self.patience_s
         if patience is not None and not (_is_moment(patience) and patience >= 0):
             raise ScenarioError("plan: patience_s must be seconds, 0 or more, or null; plan again")
+        if not (_is_moment(self.task_relief) and 0 <= self.task_relief <= 1):
+            raise ScenarioError("plan: task_relief must be a number in [0, 1]; plan again")
         if self.feasible is not (not any(times.late_s for times in self.vehicles)):
             raise ScenarioError("plan: feasible does not fit the arrival times; plan again")
 
@@ -188,7 +215,14 @@ class Timetable:
             Times that cannot be.
         """
         vehicles = (
-            VehicleTimes(**{**item, "legs": tuple((start, end) for start, end in item["legs"])})
+            VehicleTimes(
+                **{
+                    **item,
+                    "legs": tuple((start, end) for start, end in item["legs"]),
+                    "pauses": tuple(map(pause_from_dict, item.get("pauses", ()))),
+                    "drivers": tuple(map(driver_from_dict, item.get("drivers", ()))),
+                }
+            )
             for item in data["vehicles"]
         )
         offsets = tuple((at, offset) for at, offset in data.get("offsets", ()))

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..driving.state import RESTED, DriverState, state_of
 from ..errors import NetworkError, ScenarioError, brief
 from ..network.location import PlaceLike, plain_place
 from ..vehicles.profile import Vehicle, vehicle_of
@@ -46,6 +47,9 @@ class Trip:
     profile : Vehicle or str or mapping or None
         Size, mass and load of the vehicle: one of `VEHICLES` by name, or fields of `Vehicle` by
         name with `base`; None for that of the plan.
+    driver : DriverState or mapping
+        What its driver has behind it, or its two; fields of `DriverState` by name will do. By
+        default one driver after a weekly rest.
 
     Raises
     ------
@@ -61,6 +65,7 @@ class Trip:
     latest_arrival: datetime | None = None
     flexibility_min: float | None = None
     profile: Vehicle | None = None
+    driver: DriverState = RESTED
 
     def __post_init__(self) -> None:
         if not isinstance(self.vehicle, str) or not self.vehicle.strip():
@@ -72,6 +77,7 @@ class Trip:
         if self.profile is not None:
             where = f"trip {self.vehicle!r}"
             object.__setattr__(self, "profile", vehicle_of(self.profile, where))
+        object.__setattr__(self, "driver", state_of(self.driver, f"trip {self.vehicle!r}"))
         self._check_times()
         self._check_flexibility()
 

@@ -12,8 +12,10 @@ from places import ROOT
 from random_networks import problems
 
 from platoon_osm.costs.share import Share
+from platoon_osm.driving.state import DriverState
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans import records
+from platoon_osm.plans.pauses import DriverDay, Pause, PausePlace
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.proof import Proof
 from platoon_osm.plans.timetable import Timetable, VehicleTimes
@@ -27,7 +29,8 @@ RECORDS = {
     "trip": records.PlannedTrip, "share": Share, "stretch": records.Stretch,
     "platoon": records.Platoon, "event": records.Event, "network": records.NetworkIdentity,
     "proof": Proof, "timetable": Timetable, "vehicle_times": VehicleTimes,
-    "master_tried": records.MasterTried, "profile": Vehicle,
+    "master_tried": records.MasterTried, "profile": Vehicle, "pause": Pause,
+    "pause_place": PausePlace, "driver_day": DriverDay, "driver_state": DriverState,
 }  # fmt: skip
 
 
