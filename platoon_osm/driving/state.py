@@ -138,7 +138,9 @@ def state_of(given: Any, where: str) -> DriverState:
     for key, value in given.items():
         name, factor = _field(key)
         if name not in _NAMES:
-            known = ", ".join(one.replace("_s", "_h") if one in HOURS else one for one in _NAMES)
+            known = ", ".join(
+                one.removesuffix("_s") + "_h" if one in HOURS else one for one in _NAMES
+            )
             raise ScenarioError(f"{where}: driver has no {brief(key)}; known are {known}")
         if name in found:
             raise ScenarioError(f"{where}: driver names {name} twice; give it once")
