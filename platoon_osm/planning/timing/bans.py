@@ -139,7 +139,7 @@ class _Times:
         for group in linked(companies, len(self.plan.ways)):
             if broken.intersection(group):
                 self._move(group)
-        cuts = {stretch: sorted(own) for stretch, own in self.cuts.items()}
+        cuts = {k: [(place, 0.0) for place in sorted(own)] for k, own in self.cuts.items()}
         plan = cut_plan(self.net, replace(self.plan, timetable=None), cuts)
         return replace(plan, timetable=self._timetable(plan))
 

@@ -95,7 +95,10 @@ def earliest_starts(pieces: Pieces, windows: Sequence[Window]) -> list[float]:
         if piece.root != k:
             starts.append(starts[piece.root] + piece.offset_s)
             continue
-        ready = [starts[last] + pieces.pieces[last].time_s for last in piece.before]
+        ready = [
+            starts[last] + pieces.pieces[last].time_s + stands
+            for last, stands in zip(piece.before, piece.stands_s, strict=True)
+        ]
         ready += [low for index in piece.begins if (low := windows[index].earliest) is not None]
         starts.append(max(ready, default=-math.inf))
     return starts

@@ -7,7 +7,7 @@ for. Only the others have a start of their own to choose.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from graphlib import TopologicalSorter
 from itertools import pairwise
@@ -50,6 +50,8 @@ class Piece:
         The piece whose start settles this one's, itself if it has a start of its own.
     offset_s : float
         How long after the start of its root it starts [s].
+    stands_s : tuple of float
+        How long those who come from each piece of `before` stand at least before it starts [s].
     """
 
     company: frozenset[int]
@@ -58,6 +60,7 @@ class Piece:
     begins: tuple[int, ...]
     root: int
     offset_s: float
+    stands_s: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +86,7 @@ def pieces_of(
     stretches: Sequence[Driven],
     ways: Sequence[Sequence[int]],
     may_wait: Collection[int] = (),
+    stands_s: Mapping[tuple[int, int], float] | None = None,
 ) -> Pieces:
     """Cut a plan into pieces.
 
@@ -94,25 +98,28 @@ def pieces_of(
         The stretches of each vehicle.
     may_wait : collection of int
         Stretches before which their vehicles may wait though nobody joins.
+    stands_s : mapping of (int, int) to float, optional
+        By vehicle and stretch, how long it stands at least before the stretch, on its way [s].
 
     Returns
     -------
     Pieces
         One a stretch.
     """
-    before: list[set[int]] = [set() for _ in stretches]
+    before: list[dict[int, float]] = [{} for _ in stretches]
     begins: list[list[int]] = [[] for _ in stretches]
     for index, way in enumerate(ways):
         begins[way[0]].append(index)
         for last, stretch in pairwise(way):
-            before[stretch].add(last)
+            stands = (stands_s or {}).get((index, stretch), 0.0)
+            before[stretch][last] = max(before[stretch].get(last, 0.0), stands)
     ordered = list(
         TopologicalSorter({k: sorted(last) for k, last in enumerate(before)}).static_order()
     )
     place = {stretch: rank for rank, stretch in enumerate(ordered)}
     made: list[Piece] = []
     for stretch in ordered:
-        come_from = [place[last] for last in sorted(before[stretch])]
+        come_from = {place[last]: before[stretch][last] for last in sorted(before[stretch])}
         own = stretch in may_wait
         made.append(_piece(stretches[stretch], come_from, begins[stretch], made, own))
     return Pieces(
@@ -124,14 +131,17 @@ def pieces_of(
 
 def _piece(
     stretch: Driven,
-    before: Sequence[int],
+    come_from: Mapping[int, float],
     begins: Sequence[int],
     made: Sequence[Piece],
     own_start: bool,
 ) -> Piece:
     company = frozenset(stretch.vehicles)
     root, offset = len(made), 0.0
+    before = tuple(come_from)
     if not own_start and len(before) == 1 and not begins and company <= made[before[0]].company:
         last = made[before[0]]
-        root, offset = last.root, last.offset_s + last.time_s
-    return Piece(company, stretch.drive_s, tuple(before), tuple(begins), root, offset)
+        root, offset = last.root, last.offset_s + last.time_s + come_from[before[0]]
+    return Piece(
+        company, stretch.drive_s, before, tuple(begins), root, offset, tuple(come_from.values())
+    )

@@ -45,9 +45,9 @@ class Programme:
         for k, piece in enumerate(pieces.pieces):
             self.bounds[k] = self._bounds(k)
             if piece.root == k:
-                for last in piece.before:
-                    # t_last + d_last <= t_k
-                    self.limit(self.row((last, 1), (k, -1)), -self._end(last) + piece.offset_s)
+                for last, stands in zip(piece.before, piece.stands_s, strict=True):
+                    # t_last + d_last + s_last <= t_k, with s how long they stand there at least
+                    self.limit(self.row((last, 1), (k, -1)), -self._end(last) - stands)
         for index, window in enumerate(windows):
             first, final = pieces.ways[index][0], pieces.ways[index][-1]
             if window.arrival is not None:
@@ -71,6 +71,31 @@ class Programme:
         """
         self.rows.append(row)
         self.limits.append(most)
+
+    def limit_span(self, first: int, last: int, most_s: float) -> None:
+        """Demand that no more than so much lies between the start of a piece and an end.
+
+        Parameters
+        ----------
+        first, last : int
+            The piece that starts, and the one that ends.
+        most_s : float
+            The limit [s].
+        """
+        start = self.pieces.pieces[first].offset_s
+        self.limit(self.row((last, 1), (first, -1)), most_s - self._end(last) + start)
+
+    def limit_end(self, last: int, until: float) -> None:
+        """Demand that a piece ends by a moment.
+
+        Parameters
+        ----------
+        last : int
+            The piece.
+        until : float
+            The moment [s].
+        """
+        self.limit(self.row((last, 1)), until - self._end(last))
 
     def demands(self) -> tuple[Any, Floats | None]:
         """Return all rows as a sparse matrix, and what their sums may be at most.

@@ -38,6 +38,7 @@ from ...plans.text_table import listed
 from ...plans.timetable import LATE_S, Timetable, VehicleTimes
 from ...plans.trip import Trip, check_one_clock
 from ...plans.zones import clock_of
+from .days import Day, demand_days, pauses_of, stands_before, until_moments, windows_within
 from .limits import Window, first_named, windows_of
 from .pieces import Pieces, pieces_of
 from .programme import Programme
@@ -110,7 +111,11 @@ def _lateness(plan: Plan, timetable: Timetable) -> Iterator[str]:
 
 
 def schedule(
-    plan: Plan, trips: Sequence[Trip], patience_s: float | None = None
+    plan: Plan,
+    trips: Sequence[Trip],
+    patience_s: float | None = None,
+    days: Sequence[Day] | None = None,
+    alone_s: Sequence[float] | None = None,
 ) -> Timetable | None:
     """Return when everyone drives; None if no trip names a time.
 
@@ -144,12 +149,19 @@ def schedule(
             raise ScenarioError(f"schedule: vehicle {vehicle.vehicle!r} has no trip; give it one")
     asked, windows = windows_of(
         [known[trip.vehicle] for trip in plan.trips],
-        [trip.alone.time_s for trip in plan.trips],
+        [trip.alone.time_s for trip in plan.trips] if alone_s is None else alone_s,
         patience_s,
         first,
     )
-    pieces = pieces_of(plan.stretches, plan.ways)
-    starts = solved(Programme(pieces, windows, asked))
+    settled_days = [Day()] * len(plan.trips) if days is None else list(days)
+    windows = windows_within(windows, settled_days)
+    pieces = pieces_of(
+        plan.stretches, plan.ways,
+        until_moments(settled_days, plan.ways), stands_before(settled_days, plan.ways),
+    )  # fmt: skip
+    model = Programme(pieces, windows, asked)
+    demand_days(model, pieces, settled_days)
+    starts = solved(model)
     # Seconds count from the whole second at or before the first departure.
     leaving = (w.leaves(starts[way[0]]) for w, way in zip(windows, pieces.ways, strict=True))
     shift = math.floor(min(leaving) + NEAR_S)
@@ -161,9 +173,11 @@ def schedule(
             window.leaves(spans[way[0]][0]),
             tuple(spans[piece] for piece in way),
             own.earliest, own.latest, own.arrival,
+            pauses_of([spans[piece] for piece in way], day.stands),
+            tuple(replace(one, state_at_s=one.state_at_s - shift) for one in day.drivers),
         )
-        for vehicle, window, own, way in zip(
-            plan.vehicles, windows, asked, pieces.ways, strict=True
+        for vehicle, window, own, way, day in zip(
+            plan.vehicles, windows, asked, pieces.ways, settled_days, strict=True
         )
     )  # fmt: skip
     in_time = not any(times.late_s for times in vehicles)
@@ -240,9 +254,10 @@ def settled(pieces: Pieces, windows: Sequence[Window], starts: Floats) -> list[t
     spans: list[tuple[float, float]] = []
     for k, piece in enumerate(pieces.pieces):
         if piece.root != k:
-            begin = spans[piece.before[0]][1]
+            begin = spans[piece.before[0]][1] + piece.stands_s[0]
         else:
-            low = [spans[last][1] for last in piece.before]
+            ready = zip(piece.before, piece.stands_s, strict=True)
+            low = [spans[last][1] + stands for last, stands in ready]
             own = [windows[index] for index in piece.begins]
             low += [window.earliest for window in own if window.earliest is not None]
             least = max(low, default=-math.inf)
