@@ -128,6 +128,10 @@ def schedule(
     patience_s : float, optional
         How far company may move a vehicle without a window [s]; see `timing.limits`. Without it
         only the windows that trips name count.
+    days : sequence of Day, (N,), optional
+        What driving rules ask of each vehicle; seconds count from the first time that trips name.
+    alone_s : sequence of float, (N,), optional
+        How long each would take alone [s], breaks and rests included; by default its driving time.
 
     Returns
     -------
