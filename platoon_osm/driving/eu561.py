@@ -38,7 +38,7 @@ EU561_TEAM = Limits(
     day_s=18 * H, long_day_s=20 * H, long_days=2,
     rest_s=9 * H, reduced_rest_s=9 * H, reduced_rests=0, window_s=21 * H, long_window_s=21 * H,
     week_s=112 * H, fortnight_s=180 * H, weekly_rest_s=45 * H, weekly_after_s=6 * 24 * H,
-    change_s=CHANGE_MIN * MIN,
+    change_s=CHANGE_MIN * MIN, beside_s=45 * MIN,
 )  # fmt: skip
 """Of the vehicle, driven by two in turns: each drives half of it, while the other's 45 min beside
 the wheel are its break."""

@@ -56,7 +56,13 @@ class Limits:
     weekly_after_s : float
         When a weekly rest begins at the latest, after the end of the one before [s].
     change_s : float
-        How long two drivers stand to change seats [s]; with it they need no break [s].
+        How long two drivers stand to change seats [s]; 0 for one driver. With it the driving times
+        are those of the vehicle, and each of the two has half of them.
+    beside_s : float
+        How long one of two drivers sits beside the other for it to be a break, and how long the
+        vehicle stands for a break of both [s].
+    calendar_weeks : bool
+        Whether a week ends on Sunday 24:00 UTC; if not, a weekly rest alone begins a new one.
     """
 
     spell_s: float = math.inf
@@ -77,6 +83,8 @@ class Limits:
     weekly_rest_s: float = math.inf
     weekly_after_s: float = math.inf
     change_s: float = 0.0
+    beside_s: float = 0.0
+    calendar_weeks: bool = True
 
     def __post_init__(self) -> None:
         for item in fields(self):
@@ -85,6 +93,8 @@ class Limits:
                 good = value is None or (len(value) == 2 and all(map(_is_time, value)))
             elif item.name in ("long_days", "reduced_rests"):
                 good = is_whole(value) and value >= 0
+            elif item.name == "calendar_weeks":
+                good = isinstance(value, bool)
             else:
                 good = _is_time(value)
             if not good:

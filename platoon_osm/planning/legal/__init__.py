@@ -1,0 +1,1 @@
+"""Searches for plans within the law on driving times."""
