@@ -1,0 +1,226 @@
+"""(EC) 561/2006 art. 8(2) to (5) and 6(1): daily rests, and how much is driven between two of them.
+
+A day runs from the end of one daily or weekly rest to the end of the next, whatever the calendar.
+Within 24 h of its beginning 11 h of rest must have been taken, or 3 and then 9 h, or 9 h at most
+three times between two weekly rests; of a rest only what lies within those 24 h counts (art. 8(2)).
+Each of two drivers in a vehicle needs 9 h within 30 h, which uses up no reduced rest (art. 8(5)
+departs from 8(2)). Driving is 9 h a day, 10 h twice a calendar week; a day across Sunday midnight
+counts in either week, not in both.
+
+The reading: days are allowed if *some* choice of rests as daily rests makes them so; a rest of 9 h
+need not be counted as one. All choices are tried; of those that lead to the same rest only those
+are kept that no other beats in violations, reduced rests and long days. Driving while a ferry
+interrupts the rest that was chosen is not driving of the day (Addendum, point 4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from .activities import DAY, HOUR, WEEK, Activity, Record, clock_span, crossing
+from .driver_start import DriverStart
+from .rests import MOST_INTERRUPTED_S, MOST_INTERRUPTIONS, RestTaken, rests_of, taken
+from .violation import Violation
+
+__all__ = ["Day", "days_of"]
+
+REGULAR_S = 11 * HOUR
+REDUCED_S = 9 * HOUR
+FIRST_PART_S = 3 * HOUR
+WITHIN_S = 1 * DAY
+TEAM_WITHIN_S = 30 * HOUR
+MOST_REDUCED = 3
+WEEKLY_S = 24 * HOUR
+"""From here on a rest is a weekly one."""
+
+DRIVING_S = 9 * HOUR
+LONG_DRIVING_S = 10 * HOUR
+MOST_LONG_DAYS = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Day:
+    """What lies between two daily rests.
+
+    Attributes
+    ----------
+    start_s, end_s : int
+        From the end of one to the beginning of the next [s].
+    next_s : int
+        When the next ends [s].
+    """
+
+    start_s: int
+    end_s: int
+    next_s: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Choice:
+    """A choice of daily rests so far."""
+
+    start_s: int
+    driven_s: int
+    reduced: int
+    long_days: tuple[int, int]
+    """In the week in which the day begins, and in the next."""
+    days: tuple[Day, ...] = ()
+    found: tuple[Violation, ...] = ()
+
+    def beats(self, other: _Choice) -> bool:
+        return (
+            self.badness <= other.badness
+            and self.reduced <= other.reduced
+            and self.long_days[0] <= other.long_days[0]
+            and self.long_days[1] <= other.long_days[1]
+        )
+
+    @property
+    def badness(self) -> tuple[int, float]:
+        return len(self.found), sum(one.over_s for one in self.found)
+
+
+def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[Violation, ...]]:
+    """Return the days of a record, and what is wrong with their rests and their driving.
+
+    Parameters
+    ----------
+    record : tuple of Activity
+        What a driver does.
+    start : DriverStart
+        What it has behind it.
+
+    Returns
+    -------
+    tuple of Day
+        Of a choice of rests with as few violations as any has.
+    tuple of Violation
+        Theirs.
+    """
+    rests = rests_of(record)
+    began_s = record[0].start_s
+    if start.duty_s is not None:
+        began_s -= start.duty_s
+    elif rests[0].start_s == began_s:
+        began_s = rests.pop(0).end_s
+    if not rests:
+        return (), ()
+    drives = [activity for activity in record if activity.driven_s]
+    mains = taken(rests, REDUCED_S)
+    firsts = taken(rests, FIRST_PART_S)
+    used = (start.long_days_used, 0)
+    if began_s // WEEK < record[0].start_s // WEEK:
+        # Nothing is known of the week before, so no long day of it is left.
+        used = (MOST_LONG_DAYS, start.long_days_used)
+    first = _Choice(began_s, start.driven_today_s, start.reduced_rests_used, used)
+    reached: list[list[_Choice]] = [[first], *([] for _ in rests)]
+    for after in range(len(rests)):
+        for choice in _best(reached[after]):
+            for main in mains:
+                if main.first >= after:
+                    parts = [one for one in firsts if after <= one.first and one.last < main.first]
+                    for split in (None, *parts):
+                        reached[main.last + 1] += _next_day(choice, main, split, drives, start)
+    last = min(_best(reached[-1]), key=lambda choice: choice.badness)
+    return last.days, last.found
+
+
+def _best(choices: Sequence[_Choice]) -> list[_Choice]:
+    kept: list[_Choice] = []
+    for choice in choices:
+        if not any(other.beats(choice) for other in kept):
+            kept = [other for other in kept if not choice.beats(other)]
+            kept.append(choice)
+    return kept
+
+
+def _next_day(
+    choice: _Choice,
+    main: RestTaken,
+    split: RestTaken | None,
+    drives: Sequence[Activity],
+    start: DriverStart,
+) -> Iterator[_Choice]:
+    """Yield what follows if a day ends with a rest, after the first part of it or without one."""
+    parts = [main] if split is None else [split, main]
+    if sum(part.interruptions for part in parts) > MOST_INTERRUPTIONS:
+        return
+    if sum(part.interrupted_s for part in parts) > MOST_INTERRUPTED_S:
+        return
+    if main.interruptions and split is None and main.rest_s < REGULAR_S:
+        return  # a reduced daily rest must not be interrupted
+    team = start.drivers > 1
+    until_s = choice.start_s + (TEAM_WITHIN_S if team else WITHIN_S)
+    rest_s = main.rest_before(until_s)
+    whole = rest_s >= (REDUCED_S if team or split is not None else REGULAR_S)
+    reduced = choice.reduced
+    found = choice.found
+    if not whole:
+        may_be_reduced = rest_s >= REDUCED_S and not main.interruptions
+        if may_be_reduced and reduced < MOST_REDUCED:
+            reduced += 1
+        else:
+            nine = split is not None or (reduced < MOST_REDUCED and not main.interruptions)
+            least_s = REDUCED_S if team or nine else REGULAR_S
+            article = "5" if team else "4" if may_be_reduced else "2"
+            found += (_too_little(main, rest_s, least_s, until_s, article),)
+    if main.rest_s >= WEEKLY_S:
+        reduced = 0
+    day = Day(choice.start_s, main.start_s, main.end_s)
+    after = replace(
+        choice, start_s=main.end_s, driven_s=0, reduced=reduced, days=(*choice.days, day),
+        found=found,
+    )  # fmt: skip
+    own = [drive for drive in drives if _counts(drive, day, parts)]
+    yield from _driven(after, own, choice.driven_s, day)
+
+
+def _too_little(
+    main: RestTaken, rest_s: int, least_s: int, until_s: int, article: str
+) -> Violation:
+    within = clock_span(TEAM_WITHIN_S if article == "5" else WITHIN_S)
+    text = f"{clock_span(rest_s)} of daily rest within {within}, {clock_span(least_s)} needed"
+    over_s = least_s - rest_s + max(0, main.start_s - until_s)
+    return Violation(f"561/2006 Art. 8({article})", until_s - least_s, over_s, text)
+
+
+def _counts(drive: Activity, day: Day, parts: Iterable[RestTaken]) -> bool:
+    """Return whether a drive is driving of the day, and does not interrupt its rest."""
+    return day.start_s <= drive.start_s < day.end_s and not any(
+        part.start_s <= drive.start_s < part.end_s for part in parts
+    )
+
+
+def _driven(
+    after: _Choice, drives: Sequence[Activity], driven_s: int, day: Day
+) -> Iterator[_Choice]:
+    """Yield the choices of a week in which a day is a long one, if it is."""
+    total_s = driven_s + sum(drive.driven_s for drive in drives)
+    first = day.start_s // WEEK
+    used = {first: after.long_days[0], first + 1: after.long_days[1]}
+    weeks = {first, (day.end_s - 1) // WEEK} if total_s > DRIVING_S else set()
+    usable = [one for one in sorted(weeks) if used.get(one, 0) < MOST_LONG_DAYS]
+    choices: list[int | None] = [*usable] if usable else [None]
+    for one in choices:
+        counts = dict(used)
+        if one is not None:
+            counts[one] = counts.get(one, 0) + 1
+        most_s = DRIVING_S if one is None else LONG_DRIVING_S
+        found = after.found
+        if total_s > most_s:
+            at_s = _when(drives, driven_s, most_s, day)
+            text = f"{clock_span(total_s)} driven in a day, {clock_span(most_s)} allowed"
+            found += (Violation("561/2006 Art. 6(1)", at_s, total_s - most_s, text),)
+        week = day.next_s // WEEK
+        long_days = (counts.get(week, 0), counts.get(week + 1, 0))
+        yield replace(after, long_days=long_days, found=found)
+
+
+def _when(drives: Sequence[Activity], driven_s: int, most_s: int, day: Day) -> int:
+    """Return when a day's driving reaches its limit."""
+    for drive in drives:
+        if driven_s + drive.driven_s > most_s:
+            return crossing(drive, max(0, most_s - driven_s))
+        driven_s += drive.driven_s
+    return day.end_s

@@ -1,0 +1,18 @@
+"""The checker has its own numbers and its own reading: it imports no planner and no planner's law."""
+
+import ast
+
+from places import ROOT
+
+ROOM = ROOT / "platoon_osm" / "inspection"
+ALLOWED = {"errors", "kinds", "atomic_file", "plans"}
+
+
+def test_the_checker_imports_records_and_errors_alone():
+    for path in sorted(ROOM.glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Import):
+                assert not any(alias.name.startswith("platoon_osm") for alias in node.names)
+            elif isinstance(node, ast.ImportFrom) and node.level:
+                room = (node.module or "").split(".")[0]
+                assert node.level == 1 or (node.level == 2 and room in ALLOWED), (path, node.module)
