@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..costs.placed_weights import placed_weights
 from ..costs.weights import EdgeWeights
+from ..driving.rules import spread_of
 from ..network.road_network import RoadNetwork
 from ..vehicles.access import Way
 from ..vehicles.closures import Closures
@@ -54,7 +55,8 @@ def fleet_of(problem: Problem, places: PlacedEnds, closed: Marks) -> Fleet:
         if kind not in own:
             own[kind] = _weights(problem, net, kind, own)
         if _pace_of(kind) not in pace:
-            pace[_pace_of(kind)] = drive_times(net, kind)
+            # Rest that is spread over the driving makes all of it longer, alone and together.
+            pace[_pace_of(kind)] = drive_times(net, kind) * (1 + spread_of(problem.rules))
     return Fleet(
         [own[kind] for kind in kinds],
         [
