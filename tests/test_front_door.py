@@ -61,13 +61,13 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "Problem": (po.Problem, {
             "net": net, "trips": trips, "objective": weights, "rules": NO_RULES, "case": "C",
             "master": "A", "method": "dijkstra", "optimum": "member", "engine": "auto",
-            "access": po.Access(),
+            "access": po.Access(), "task_relief": 1,
         }),
         "solve": (po.solve, {"problem": po.Problem(net, tuple(trips), weights)}),
         "plan_joint": (po.plan_joint, {
             "net": net, "weights": weights, "trips": trips, "case": "C", "master": "A",
             "method": "dijkstra", "objective": "member", "engine": "auto",
-            "access": po.Access(),
+            "access": po.Access(), "rules": "none", "task_relief": 0.5,
         }),
         "plan_members": (po.plan_members, {
             "net": net, "weights": weights, "route": route, "origins": [int(net.tail[route[0]])],

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..costs.objective import Objective
 from ..costs.weights import EdgeWeights
-from ..driving.rules import Drive
+from ..driving.rules import Drive, DrivingRules
 from ..errors import ScenarioError, brief
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.road_network import RoadNetwork
@@ -71,6 +71,8 @@ def plan_joint(
     patience_min: float = PATIENCE_MIN,
     profile: Any = None,
     close: Iterable[Any] = (),
+    rules: str | DrivingRules = "none",
+    task_relief: float = 0.0,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
 
@@ -112,6 +114,10 @@ def plan_joint(
         `Vehicle` by name. By default a truck of 40 t at whatever speed the network was loaded for.
     close : iterable of str, int or (float, float)
         Roads that count as closed: edge ids, "way 123456", points on them, road numbers.
+    rules : str or DrivingRules
+        Of driving times: a name of `RULES`, as "eu561", or rules of your own.
+    task_relief : float
+        How much a follower's driving clock slows under them, from 0 to 1.
 
     Returns
     -------
@@ -121,8 +127,8 @@ def plan_joint(
     Raises
     ------
     ScenarioError
-        Unknown case, objective, method, engine or master; D for other than two vehicles; a trip
-        that ends where it starts; times with and without a zone; arguments of another kind.
+        Unknown case, objective, method, engine, rules or master; D for other than two vehicles; a
+        trip that ends where it starts; times with and without a zone; arguments of another kind.
     NetworkError
         A place that is not on the network.
     NoRouteError
@@ -136,11 +142,13 @@ def plan_joint(
     costs: Any = weights
     given: Any = trips
     shut: Any = close
+    law: Any = rules
     return solve(
         Problem(
             net=net, trips=given, objective=costs, case=case, master=master, method=method,
             optimum=objective, engine=engine, access=access, company=company,
             max_platoon=max_platoon, patience_min=patience_min, profile=profile, close=shut,
+            rules=law, task_relief=task_relief,
         )
     )  # fmt: skip
 

@@ -90,6 +90,14 @@ def test_what_breaks_the_rules_is_remarked(net):
     assert NO_RULES.violations([]) == []
 
 
+def test_rules_are_given_beside_the_trips(net):
+    asked = [net, paper_weights(net), TWO, "C"]
+    assert plan_joint(*asked, rules=NoLongDrives()).remarks == ("A: leads for 22 min",)
+    assert plan_joint(*asked, rules="none", task_relief=1) == plan_joint(*asked)
+    with pytest.raises(ScenarioError, match="task_relief is -1; give a number from 0 to 1"):
+        plan_joint(*asked, task_relief=-1)
+
+
 def test_weights_of_another_network_are_refused(net):
     longer = network([0, 1, 2, 2, 4], [1, 2, 3, 5, 1], [20e3] * 5)
     with pytest.raises(ScenarioError, match="made for another network"):
@@ -154,6 +162,9 @@ def test_wrong_arguments_are_named_in_one_line(net, which):
         ({"master": "C"}, "master 'C' has no trip; vehicles are A and B"),
         ({"master": ["A"]}, r"master \['A'\] has no trip"),
         ({"rules": None}, "rules is a NoneType; give driving rules"),
+        ({"rules": "eu651"}, "driving rules 'eu651' is unknown; did you mean 'eu561'"),
+        ({"task_relief": 1.1}, "task_relief is 1.1; give a number from 0 to 1"),
+        ({"task_relief": True}, "task_relief is True; give a number from 0 to 1"),
         ({"trips": []}, "no trips; give at least one"),
     ],
 )
