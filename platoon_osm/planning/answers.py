@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,12 +13,16 @@ from .company.side_by_side import side_by_side
 from .company.turns import improved_in_turns
 from .fleet import Fleet
 from .member_plans import MemberPlans
-from .pair import plan_pair
+from .pair import PairPlan, plan_pair
 from .question import Question
 from .star import Star, StarChoice
+from .timing.timed_pair import PairVehicle, TimedPair, plan_timed_pair
 from .timing.timed_points import OpenPoints, best_departure
 
-__all__ = ["Answer", "alone", "improved", "of_pair", "of_star"]
+__all__ = ["IN_TIME", "Answer", "alone", "improved", "of_pair", "of_star", "of_timed_pair"]
+
+IN_TIME = "all keep their limits of time"
+ONE_LEADER = "one leads all the way"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,6 +41,8 @@ class Answer:
         The vehicle that the others join; None in case D.
     bound : float or None
         No answer of this case and master costs less; None if it is not known.
+    conditions : tuple of str
+        What that holds for, beside what it always does.
     """
 
     draft: Draft
@@ -44,6 +50,7 @@ class Answer:
     case: str
     master: int | None
     bound: float | None
+    conditions: tuple[str, ...] = ()
 
     @property
     def cost(self) -> float:
@@ -180,16 +187,75 @@ def of_pair(question: Question, first: int) -> Iterator[Answer]:
         yield Answer(draft, draft.costs(question.fleet), "D", None, pair.cost)
         return
     for order in ((first, 1 - first), (1 - first, first)):
-        ways = [
-            [
-                *runs_alone(pair.before[k], index),
-                *runs_along(pair.shared, [order] * len(pair.shared)),
-                *runs_alone(pair.after[k], index),
-            ]
-            for k, index in enumerate((first, 1 - first))
-        ]
-        draft = Draft.of(ways if first == 0 else ways[::-1])
+        draft = _paired(first, order, pair)
         yield Answer(draft, draft.costs(question.fleet), "D", None, pair.cost)
+
+
+def of_timed_pair(question: Question, first: int) -> Iterator[Answer]:
+    """Return the cheapest plan of two vehicles with free routes among those that are in time.
+
+    Parameters
+    ----------
+    question : Question
+        Of two trips, one at least with times.
+    first : int
+        Who leads rather than the other.
+
+    Yields
+    ------
+    Answer
+        Under either leader, the cheaper first; once if they stay apart.
+    """
+    fleet, windows = question.fleet, question.windows
+    assert windows is not None
+    orders = [(first, 1 - first), (1 - first, first)]
+    vehicles = [
+        PairVehicle(
+            own.origin, own.destination, fleet.alone(k), fleet.drive_s((k,)),
+            trees.tree(own.origin).dist, trees.tree(own.destination, False).dist, windows[k],
+        )
+        for k, (own, trees) in enumerate(zip(question.ends, question.trees, strict=True))
+    ]  # fmt: skip
+    price = question.problem.objective.waiting(3600.0) / 3600
+    conditions = (IN_TIME,) if fleet.is_alike else (IN_TIME, ONE_LEADER)
+    found: dict[bytes, TimedPair | None] = {}
+    answers: list[Answer] = []
+    for order in orders:
+        leader, other = order
+        together = fleet.barred(0, fleet.barred(1, fleet[leader].master + fleet[other].platoon))
+        key = together.tobytes()
+        if key not in found:
+            found[key] = plan_timed_pair(
+                question.net, (vehicles[first], vehicles[1 - first]), together,
+                fleet.drive_s((0, 1)), float(question.solo.sum()), price,
+            )  # fmt: skip
+        pair = found[key]
+        if pair is None:
+            continue
+        draft = _paired(first, order, pair)
+        answers.append(Answer(draft, draft.costs(fleet), "D", None, None, conditions))
+    if not answers:
+        draft, cost = Draft.alone(question.alone), float(question.solo.sum())
+        yield Answer(draft, draft.costs(fleet), "D", None, cost, conditions)
+    # Where waiting has a price it was weighed too, so of the cost alone nothing is proved.
+    pairs = [pair for pair in found.values() if pair is not None]
+    paid = any(price * sum(pair.waits_s) for pair in pairs)
+    bound = None if paid else min((pair.cost for pair in pairs), default=None)
+    for answer in sorted(answers, key=lambda one: one.cost):
+        yield replace(answer, bound=bound)
+
+
+def _paired(first: int, order: tuple[int, int], pair: PairPlan | TimedPair) -> Draft:
+    """Return the draft of a pair whose first vehicle is `first`, under some leader."""
+    ways = [
+        [
+            *runs_alone(pair.before[k], index),
+            *runs_along(pair.shared, [order] * len(pair.shared)),
+            *runs_alone(pair.after[k], index),
+        ]
+        for k, index in enumerate((first, 1 - first))
+    ]
+    return Draft.of(ways if first == 0 else ways[::-1])
 
 
 def _together(fleet: Fleet) -> Floats:

@@ -70,7 +70,8 @@ def best_answer(question: Question) -> Best:
     if not best.draft.together:
         stayed = [one for one in tried.answers if not one.draft.together]
         same = [one for one in stayed if one.master == best.master or one.case == best.case]
-        best = replace(best, master=same[0].master, bound=same[0].bound) if same else best
+        for one in same[:1]:
+            best = replace(best, master=one.master, bound=one.bound, conditions=one.conditions)
     return Best(
         best,
         _proof(question, best, tried),
@@ -98,14 +99,14 @@ def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
     any_plan = least_total(
         question.net, question.fleet, question.node_pairs, question.solo, best.cost
     )
-    free = question.problem.objective.waiting(3600.0) == 0
-    conditions = (WAITING_FREE,) if free else ()
+    conditions = () if question.waiting_costs else (WAITING_FREE,)
     if len(question.ends) < 2:
         return Proof.of(best.cost, best.cost, conditions)
     if best.case == "D" and best.bound is not None:
         # Vehicles that are not alike might part and meet again; that is not looked at.
         alike = (ALIKE,) if question.fleet.is_alike else ()
-        return Proof.of(best.cost, best.bound, (*conditions, *alike, ONE_STRETCH), any_plan)
+        own = (*conditions, *alike, ONE_STRETCH, *best.conditions)
+        return Proof.of(best.cost, best.bound, own, any_plan)
     late = tried.blind < best.cost * (1 - NO_CHEAPER) and question.windows is not None
     if best.bound is None or late:
         return _bounded(best, any_plan, late, conditions)

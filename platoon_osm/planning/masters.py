@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .answers import Answer, improved, of_pair, of_star
+from .answers import Answer, improved, of_pair, of_star, of_timed_pair
 from .company.draft import NO_CHEAPER
 from .problem import Optimum
 from .question import Question
@@ -45,7 +45,8 @@ class Tried:
     compared : int
         Masters that were planned, or whose bound cannot win.
     blind : float
-        Cost of the cheapest answer without a clock; inf if there was none.
+        Cost of the cheapest answer without a clock; inf if there was none, or a pair's best in time
+        is among the answers.
     left_out : list of Answer
         Cheaper for all, but somebody would pay more than alone.
     """
@@ -82,14 +83,18 @@ def _try_pair(question: Question, first: int, found: Tried) -> None:
     asked = question.problem.case == "D"
     answers = list(of_pair(question, first))
     some = [answer for answer in answers if question.in_time(answer.draft)]
+    blind = np.inf if some else answers[0].cost
+    # What is in time without looking is the best of all, unless waiting has a price.
+    if question.windows is not None and (not some or question.waiting_costs):
+        answers = list(of_timed_pair(question, first))
+        some = [answer for answer in answers if question.in_time(answer.draft)]
     member = question.problem.optimum == "member"
     kept = [answer for answer in some if not (member and question.losers(answer.draft))]
     if kept or (asked and some):
         found.answers.append((kept or some)[0])
-    elif some:
-        found.left_out.append(some[0])
-    elif answers:
-        found.blind = answers[0].cost
+        return
+    found.blind = blind
+    found.left_out += some[:1]
 
 
 def _try_stars(question: Question, masters: Sequence[int], found: Tried) -> None:

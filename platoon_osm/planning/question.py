@@ -134,6 +134,11 @@ class Question:
         return allowed
 
     @cached_property
+    def waiting_costs(self) -> bool:
+        """Whether waiting on the road has a price."""
+        return self.problem.objective.waiting(3600.0) > 0
+
+    @cached_property
     def _in_time(self) -> InTime:
         return InTime(self.fleet.route_s, self.windows)
 

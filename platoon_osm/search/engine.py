@@ -7,6 +7,7 @@ network, and asks it once. Who asks more takes an engine from `Searches` and han
 from __future__ import annotations
 
 import sys
+import time
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..network.road_network import RoadNetwork
 from .arguments import checked_network, checked_nodes
+from .pareto_labels import Labels, Roads, Seeds, compiled_search
 from .protocol import Engine, EngineName, LeastCosts
 from .searches import Searches, engine_for
 
@@ -34,16 +36,23 @@ def release() -> None:
 
 
 def warm_up() -> float:
-    """Compile the hierarchy's kernels, or load them if compiled already.
+    """Compile all kernels, or load them if compiled already.
 
     Returns
     -------
     float
         Seconds that took.
     """
-    from .hierarchy.warmth import warm_up as compile_all
+    from .hierarchy.warmth import warm_up as compile_hierarchy
 
-    return compile_all()
+    seconds = compile_hierarchy()
+    begin = time.perf_counter()
+    two_nodes = RoadNetwork.from_edges([0], [1], [1.0], lon=[9.0, 9.1], lat=[45.0, 45.0])
+    nothing, ever = np.zeros(2), np.full(2, np.inf)
+    weights = two_nodes.length_m, two_nodes.length_m
+    compiled_search()
+    Labels.of(Roads.onward(two_nodes), weights, Seeds.one(0), nothing, ever, 1.0)
+    return seconds + time.perf_counter() - begin
 
 
 def prepare(net: RoadNetwork) -> None:
