@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         PlatoonError,
         ScenarioError,
     )
+    from .inspection.verdict import inspect_plan
     from .network.access import Access
     from .network.location import Location, Place
     from .network.road_network import RoadNetwork
@@ -61,6 +62,7 @@ _WHERE = {
     "NoRouteError": "errors",
     "PlatoonError": "errors",
     "ScenarioError": "errors",
+    "inspect_plan": "inspection.verdict",
     "Access": "network.access",
     "Location": "network.location",
     "Place": "network.location",
@@ -130,6 +132,7 @@ __all__ = [
     "VehiclePlan",
     "__version__",
     "explore",
+    "inspect_plan",
     "load_network",
     "many_to_many",
     "paper_weights",

@@ -76,6 +76,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "many_to_many": (po.many_to_many, {
             "net": net, "weight": weights.solo, "sources": [0], "targets": [1], "engine": "auto",
         }),
+        "inspect_plan": (po.inspect_plan, {"plan": plan, "rules": "eu561", "article_12": False}),
         "place_table": (po.place_table, {
             "net": net, "origins": ["Torino"], "destinations": ["Trieste"], "measure": "km",
         }),
@@ -140,7 +141,7 @@ def _defaults(made: Any) -> dict[str, Any]:
 
 NAMES = (
     "Trip", "Problem", "solve", "plan_joint", "plan_members", "many_to_many", "place_table",
-    "plan.to_frame", "plan.to_geodataframe", "load_network",
+    "inspect_plan", "plan.to_frame", "plan.to_geodataframe", "load_network",
     "Access", "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights",
     "PaperCosts",
     "FuelSaving", "FatigueModel",

@@ -166,7 +166,8 @@ def clock_span(seconds: int) -> str:
     """
     minutes, rest = divmod(seconds, MINUTE)
     if rest:
-        return f"{clock_span(minutes * MINUTE)} {rest} s" if minutes else f"{rest} s"
+        told = (f"{minutes // 60} h" * (minutes >= 60), f"{minutes % 60} min" * (minutes > 0))
+        return " ".join((*filter(None, told), f"{rest} s"))
     hours, minutes = divmod(minutes, 60)
     if not hours:
         return f"{minutes} min"

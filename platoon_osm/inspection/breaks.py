@@ -7,8 +7,10 @@ was chosen last. A pause need not be counted as a first part. Whoever pairs the 
 the first 30 min that follow, always, makes a legal day illegal by one more pause: 2 h, 30 min, 2 h,
 30 min, 4 h 30 is legal, and would not be so with 15 min more after the first hour.
 
-The search keeps, for a first part taken and for none, the best choice so far: least violations,
-then least driving since the last break. Nothing else matters later, so it is exact.
+If no choice is allowed, one with the least driving beyond 4 h 30 in all is told. The search keeps
+choices that no other beats in driving beyond and in driving since the last break, those with a
+first part taken apart from those without. Nothing else matters later, so it is exact, and one more
+pause never makes the driving beyond more.
 
 With two drivers, 45 min beside the one who drives are a break (third paragraph); shorter times
 beside it are no parts of one.
@@ -42,8 +44,8 @@ class _Choice:
     crossed_s: int | None = None
 
     @property
-    def badness(self) -> tuple[int, int]:
-        return len(self.found) + (self.crossed_s is not None), self.driven_s
+    def beyond_s(self) -> float:
+        return sum(one.over_s for one in self.found) + max(0, self.driven_s - SPELL_S)
 
     def after_drive(self, drive: Activity) -> _Choice:
         driven_s = self.driven_s + drive.driven_s
@@ -76,33 +78,37 @@ def break_violations(record: Record, start: DriverStart) -> list[Violation]:
     Returns
     -------
     list of Violation
-        As few as any choice of its pauses has.
+        Of the choice of its pauses with the least driving beyond.
     """
-    none = _Choice(start.driven_since_break_s)
-    first = none if start.first_part_taken else None
+    none = [_Choice(start.driven_since_break_s)]
+    first = list(none) if start.first_part_taken else []
     for step in drives_and_pauses(record):
         if isinstance(step, Pause):
             none, first = _after_pause(none, first, step)
         else:
-            none = none.after_drive(step)
-            first = first and first.after_drive(step)
-    return list(none.all_found())
+            none = [choice.after_drive(step) for choice in none]
+            first = [choice.after_drive(step) for choice in first]
+    return list(min(none, key=lambda choice: choice.beyond_s).all_found())
 
 
 def _after_pause(
-    none: _Choice, first: _Choice | None, pause: Pause
-) -> tuple[_Choice, _Choice | None]:
-    """Return the best choices without and with a first part taken, after a pause."""
-    whole = [none]
+    none: list[_Choice], first: list[_Choice], pause: Pause
+) -> tuple[list[_Choice], list[_Choice]]:
+    """Return the choices without and with a first part taken, after a pause."""
+    whole = list(none)
     if pause.break_s >= BREAK_S:
-        whole.append(none.after_break())
-    if first is not None and pause.rest_s >= SECOND_PART_S:
-        whole.append(first.after_break())
-    parted = [] if first is None else [first]
+        whole += [choice.after_break() for choice in none]
+    if pause.rest_s >= SECOND_PART_S:
+        whole += [choice.after_break() for choice in first]
+    parted = list(first)
     if pause.rest_s >= FIRST_PART_S:
-        parted.append(none)
-    return min(whole, key=_badness), min(parted, key=_badness, default=None)
+        parted += none
+    return _unbeaten(whole), _unbeaten(parted)
 
 
-def _badness(choice: _Choice) -> tuple[int, int]:
-    return choice.badness
+def _unbeaten(choices: list[_Choice]) -> list[_Choice]:
+    kept: list[_Choice] = []
+    for choice in sorted(choices, key=lambda one: (one.beyond_s, one.driven_s)):
+        if not kept or choice.driven_s < kept[-1].driven_s:
+            kept.append(choice)
+    return kept

@@ -9,7 +9,7 @@ counts in either week, not in both.
 
 The reading: days are allowed if *some* choice of rests as daily rests makes them so; a rest of 9 h
 need not be counted as one. All choices are tried; of those that lead to the same rest only those
-are kept that no other beats in violations, reduced rests and long days. Driving while a ferry
+are kept that no other beats in what is too much, reduced rests and long days. Driving while a ferry
 interrupts the rest that was chosen is not driving of the day (Addendum, point 4).
 """
 
@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 from .activities import DAY, HOUR, WEEK, Activity, Record, clock_span, crossing
 from .driver_start import DriverStart
 from .rests import MOST_INTERRUPTED_S, MOST_INTERRUPTIONS, RestTaken, rests_of, taken
-from .violation import Violation
+from .violation import Violation, badness
 
 __all__ = ["Day", "days_of"]
 
@@ -70,15 +70,11 @@ class _Choice:
 
     def beats(self, other: _Choice) -> bool:
         return (
-            self.badness <= other.badness
+            badness(self.found) <= badness(other.found)
             and self.reduced <= other.reduced
             and self.long_days[0] <= other.long_days[0]
             and self.long_days[1] <= other.long_days[1]
         )
-
-    @property
-    def badness(self) -> tuple[int, float]:
-        return len(self.found), sum(one.over_s for one in self.found)
 
 
 def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[Violation, ...]]:
@@ -94,7 +90,7 @@ def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[
     Returns
     -------
     tuple of Day
-        Of a choice of rests with as few violations as any has.
+        Of a choice of rests with the least too much.
     tuple of Violation
         Theirs.
     """
@@ -122,7 +118,7 @@ def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[
                     parts = [one for one in firsts if after <= one.first and one.last < main.first]
                     for split in (None, *parts):
                         reached[main.last + 1] += _next_day(choice, main, split, drives, start)
-    last = min(_best(reached[-1]), key=lambda choice: choice.badness)
+    last = min(_best(reached[-1]), key=lambda choice: badness(choice.found))
     return last.days, last.found
 
 

@@ -24,7 +24,7 @@ from dataclasses import dataclass, replace
 from .activities import DAY, HOUR, MINUTE, Activity, Record, clock_span, crossing
 from .driver_start import RESTED, DriverStart
 from .rests import Rest, rests_of
-from .violation import Violation, in_order
+from .violation import Violation, badness, in_order
 
 __all__ = ["us395_violations"]
 
@@ -60,11 +60,6 @@ class _Choice:
     found: tuple[Violation, ...] = ()
     too_far: Violation | None = None
     too_late: Violation | None = None
-
-    @property
-    def badness(self) -> tuple[int, float]:
-        every = self.all_found()
-        return len(every), sum(one.over_s for one in every)
 
     def all_found(self) -> tuple[Violation, ...]:
         return (*self.found, *(one for one in (self.too_far, self.too_late) if one is not None))
@@ -110,7 +105,7 @@ class _Choice:
 
     def beats(self, other: _Choice) -> bool:
         return self.part == other.part and (
-            self.badness <= other.badness
+            badness(self.all_found()) <= badness(other.all_found())
             and self.from_s >= other.from_s
             and self.driven_s <= other.driven_s
         )
@@ -167,7 +162,7 @@ def _shifts(record: Record, start: DriverStart) -> tuple[Violation, ...]:
             choices = _best([after for one in choices for after in one.after_rest(rest)])
         elif activity.kind == "drive":
             choices = [one.after_drive(activity) for one in choices]
-    return min(choices, key=lambda one: one.badness).all_found()
+    return min(choices, key=lambda one: badness(one.all_found())).all_found()
 
 
 def _best(choices: list[_Choice]) -> list[_Choice]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-__all__ = ["Violation", "in_order"]
+__all__ = ["Violation", "badness", "in_order"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,8 @@ class Violation:
     Attributes
     ----------
     article : str
-        What forbids it, such as "561/2006 Art. 7"; "plan" if the timetable contradicts itself.
+        What forbids it, such as "561/2006 Art. 7"; "plan" if the timetable contradicts itself,
+        "window" if it leaves the window of a trip.
     at_s : float
         When it begins [s]: in a driver's record after its Monday 0:00 UTC, in a plan after the
         start of its timetable.
@@ -37,6 +38,23 @@ class Violation:
     def minutes_over(self) -> float:
         """By how much [min]."""
         return self.over_s / 60
+
+
+def badness(violations: Iterable[Violation]) -> tuple[float, int]:
+    """Return how bad violations are together: by how much in all, then how many.
+
+    Parameters
+    ----------
+    violations : iterable of Violation
+        Any.
+
+    Returns
+    -------
+    (float, int)
+        The smaller, the better [s].
+    """
+    spans = [one.over_s for one in violations]
+    return sum(spans), len(spans)
 
 
 def in_order(violations: Iterable[Violation]) -> list[Violation]:

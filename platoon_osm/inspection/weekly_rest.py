@@ -20,7 +20,7 @@ from collections.abc import Iterator, Sequence
 from .activities import DAY, HOUR, WEEK, Record, clock_span
 from .driver_start import DriverStart
 from .rests import RestTaken, rests_of, taken
-from .violation import Violation
+from .violation import Violation, badness
 
 __all__ = ["weekly_rests"]
 
@@ -47,7 +47,7 @@ def weekly_rests(record: Record, start: DriverStart) -> list[Violation]:
     Returns
     -------
     list of Violation
-        As few as any choice of weekly rests has.
+        Those of the choice of weekly rests with the least too much.
     """
     if not any(activity.worked_s for activity in record):
         return []
@@ -73,7 +73,7 @@ def weekly_rests(record: Record, start: DriverStart) -> list[Violation]:
             *_missing(weekly, began_s, record[-1].end_s),
             *_not_made_up(weekly, [rest for rest in singles if rest not in weekly]),
         ]
-        if best is None or len(found) < len(best):
+        if best is None or badness(found) < badness(best):
             best = found
     return best or []
 
@@ -108,7 +108,7 @@ def _missing(weekly: Sequence[RestTaken], began_s: int, end_s: int) -> list[Viol
     if sum(len(own) > 1 for own in weeks) > MOST_CHOICES:
         weeks = [own[:1] for own in weeks]
     choices = (_lacking(weekly, in_week, pairs) for in_week in itertools.product(*weeks))
-    return min(choices, key=len)
+    return min(choices, key=badness)
 
 
 def _weeks_of(rest: RestTaken, end_s: int) -> list[tuple[int, ...]]:

@@ -1,4 +1,4 @@
-"""The checker has its own numbers and its own reading: it imports no planner and no planner's law."""
+"""The checker has its own numbers and reading: it imports no planner, and none of its laws."""
 
 import ast
 

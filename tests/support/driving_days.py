@@ -182,6 +182,8 @@ DAILY_REST = [
     # three reduced between two weekly rests
     day("3 x (15h available, 9h rest), 1m drive"),
     day("4 x (15h available, 9h rest), 1m drive", "Art. 8(4) Thu 19:00 +120"),
+    day("5 x (15h available, 9h rest), 1m drive", "Art. 8(4) Thu 19:00 +120",
+        "Art. 8(4) Fri 19:00 +120"),
     day("15h available, 9h rest, 1m drive", reduced_rests_used=2),
     day("3 x (15h available, 9h rest), 13h available, 24h rest, 3 x (15h available, 9h rest), "
         "1m drive"),

@@ -6,6 +6,7 @@ What a verb needs for its work is imported when it works, so that help costs not
 __all__ = ["VERBS"]
 
 VERBS = (
-    "demo", "maps", "prepare", "download", "scenario", "plan", "compare", "study", "warmup",
+    "demo", "maps", "prepare", "download", "scenario", "plan", "check", "compare", "study",
+    "warmup",
 )  # fmt: skip
 """In the order in which the help lists them."""
