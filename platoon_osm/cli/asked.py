@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ..errors import ScenarioError, brief
-from .options import FILE, LIMITER, SectionOption, classes_of
+from .options import FILE, LIMITER, SectionOption, classes_of, rules_named
 
 if TYPE_CHECKING:
     from ..planning.scenario.record import Scenario
@@ -25,7 +25,7 @@ WHERE = "On which network (before the scenario's)"
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
     "case", "master", "objective", "method", "company", "max_platoon", "patience_min",
-    "access_limit_km",
+    "access_limit_km", "rules", "task_relief",
 )  # fmt: skip
 
 
@@ -66,6 +66,14 @@ def asked_options(verb: Run) -> Run:
         _option(
             WHAT, "--close", multiple=True, metavar="ROAD",
             help='A road that counts as closed: "way 123", "lon, lat", "A 22"; as often as needed.',
+        ),
+        _option(
+            WHAT, "--rules", type=rules_named,
+            help="Driving rules by which breaks and rests are planned; they stand below.",
+        ),
+        _option(
+            WHAT, "--task-relief", type=float,
+            help="How much a follower's clock slows under them: 0, as in law, to 1.",
         ),
         _option(WHAT, "--preset", help="Costs by name; those there are stand below."),
         _option(

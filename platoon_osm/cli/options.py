@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import click
 from click.core import ParameterSource
 
+from ..driving.rules import RULES
 from ..errors import ScenarioError
 from .outputs import output_kind
 
@@ -22,6 +23,7 @@ __all__ = [
     "classes_option",
     "network_options",
     "output_option",
+    "rules_named",
     "truck_options",
     "was_given",
 ]
@@ -61,6 +63,30 @@ def classes_of(text: str) -> tuple[str, ...]:
     if not classes:
         raise ScenarioError("--classes: empty; give highway values such as motorway,motorway_link")
     return classes
+
+
+def rules_named(text: str) -> str:
+    """Look driving rules up.
+
+    Parameters
+    ----------
+    text : str
+        What was typed.
+
+    Returns
+    -------
+    str
+        A name of `RULES`, to which other packages may have added some.
+
+    Raises
+    ------
+    ScenarioError
+        There are none of that name.
+    """
+    try:
+        return RULES.find(text).name
+    except ScenarioError as error:
+        raise ScenarioError(f"--rules: {error}") from None
 
 
 def output_option(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any
@@ -9,7 +10,7 @@ from typing import Any
 from ..errors import ScenarioError, brief
 from ..kinds import is_number, is_whole
 
-__all__ = ["RESTED", "DriverState", "state_of"]
+__all__ = ["RESTED", "STATE_KEYS", "DriverState", "state_of"]
 
 HOURS = {
     "driven_since_break_s": 24, "driven_today_s": 24, "duty_s": 30, "driven_this_week_s": 168,
@@ -108,6 +109,16 @@ RESTED = DriverState()
 
 _NAMES = tuple(item.name for item in fields(DriverState))
 
+UNITS = {"_h": 3600.0, "_min": 60.0, "_s": 1.0}
+"""Of times, by the end of their keys [s]."""
+
+STATE_KEYS = tuple(
+    key
+    for name in _NAMES
+    for key in ([name.removesuffix("_s") + unit for unit in UNITS] if name in HOURS else [name])
+)
+"""What a state may be told by: its fields, times in any of three units."""
+
 
 def state_of(given: Any, where: str) -> DriverState:
     """Return the state of a driver from what was given.
@@ -136,17 +147,17 @@ def state_of(given: Any, where: str) -> DriverState:
         raise ScenarioError(f"{where}: driver is {brief(given)}; give a table of its state")
     found: dict[str, Any] = {}
     for key, value in given.items():
+        if key not in STATE_KEYS:
+            raise ScenarioError(f"{where}: driver has no {brief(key)}; {_hint(key)}")
         name, factor = _field(key)
-        if name not in _NAMES:
-            known = ", ".join(
-                one.removesuffix("_s") + "_h" if one in HOURS else one for one in _NAMES
-            )
-            raise ScenarioError(f"{where}: driver has no {brief(key)}; known are {known}")
         if name in found:
             raise ScenarioError(f"{where}: driver names {name} twice; give it once")
-        if factor != 1.0:
-            if not is_number(value):
-                raise ScenarioError(f"{where}: driver {key} is {brief(value)}; give a number")
+        if name in HOURS and value is not None:
+            most = HOURS[name] * 3600.0 / factor
+            if not (is_number(value) and 0 <= value <= most):
+                raise ScenarioError(
+                    f"{where}: driver {key} is {brief(value)}; give a number from 0 to {most:.0f}"
+                )
             value = value * factor
         found[name] = value
     try:
@@ -155,10 +166,15 @@ def state_of(given: Any, where: str) -> DriverState:
         raise ScenarioError(f"{where}: {error}") from None
 
 
-def _field(key: Any) -> tuple[str, float]:
+def _field(key: str) -> tuple[str, float]:
     """Return the field that a key names, and the seconds of its unit."""
-    text = str(key)
-    for unit, seconds in (("_h", 3600.0), ("_min", 60.0)):
-        if text.endswith(unit) and text.removesuffix(unit) + "_s" in HOURS:
-            return text.removesuffix(unit) + "_s", seconds
-    return text, 1.0
+    stem, _, unit = key.rpartition("_")
+    return (f"{stem}_s", UNITS[f"_{unit}"]) if f"{stem}_s" in HOURS else (key, 1.0)
+
+
+def _hint(key: object) -> str:
+    near = difflib.get_close_matches(str(key)[:60], STATE_KEYS, 1, 0.5)
+    if near:
+        return f"did you mean {near[0]!r}?"
+    shown = [key for key in STATE_KEYS if not key.endswith(("_min", "_s"))]
+    return f"known are {', '.join(shown)}"

@@ -27,8 +27,12 @@ def test_who_has_driven_was_on_duty():
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"driven": 1}, "driver has no .*driven.*; known are driven_since_break_h"),
-        ({"driven_today_h": 25}, r"driven_today_s is 90000.0; give seconds from 0 to 24 h"),
+        ({"colour": 1}, "driver has no 'colour'; known are driven_since_break_h, first_part"),
+        ({"driven_toady_h": 1}, r"driver has no 'driven_toady_h'; did you mean 'driven_today_h'\?"),
+        ({"driven_today_h": 25}, "driven_today_h is 25; give a number from 0 to 24"),
+        ({"driven_today_min": 1441}, "driven_today_min is 1441; give a number from 0 to 1440"),
+        ({"driven_today_s": float("nan")}, "driven_today_s is nan; give a number from 0 to 86400"),
+        ({1: 1}, "driver has no 1"),
         ({"driven_today_h": "2"}, "driven_today_h is '2'; give a number"),
         ({"driven_today_h": 1, "driven_today_s": 1}, "names driven_today_s twice"),
         ({"drivers": 3}, "drivers is 3; give a whole number from 1 to 2"),

@@ -12,6 +12,8 @@ from places import ROOT
 
 import platoon_osm as po
 from platoon_osm.costs.presets import PRESETS
+from platoon_osm.driving.rules import RULES
+from platoon_osm.driving.state import STATE_KEYS
 from platoon_osm.planning.scenario.keys import TRIP_KEYS
 from platoon_osm.planning.scenario.network_table import NETWORK_KEYS
 from platoon_osm.planning.scenario.reading import TABLE_KEYS, TOP_KEYS, read_scenario
@@ -51,6 +53,8 @@ def test_it_knows_every_key():
     codes = defs["network"]["properties"]["country"]["enum"]
     assert set(codes) == {*laws(), *(code.lower() for code in laws())}
     assert defs["trip"]["properties"]["flexibility_min"]["maximum"] == LONGEST_MIN
+    assert list(defs["driver"]["properties"]) == list(STATE_KEYS)
+    assert SCHEMA["properties"]["rules"]["examples"] == list(RULES)
 
 
 @pytest.mark.parametrize("file", FILES, ids=[file.name for file in FILES])
@@ -70,6 +74,14 @@ TRIPS = [
 GOOD = {"network": "n", "case": "C", "trips": TRIPS}
 
 
+DRIVER = {
+    "driven_since_break_min": 90, "first_part_taken": True, "driven_today_h": 2, "duty_h": 3.5,
+    "driven_this_week_s": 7200, "driven_last_week_h": 0, "long_days_used": 1,
+    "reduced_rests_used": 3, "since_weekly_rest_h": 20, "drivers": 2,
+}  # fmt: skip
+AT_MOST = {"driven_since_break_min": 1440, "driven_today_s": 86400, "duty_h": 30, "drivers": 2}
+
+
 def toml(value):
     """Write a value as TOML, on one line."""
     if isinstance(value, dict):
@@ -77,6 +89,10 @@ def toml(value):
     if isinstance(value, list):
         return "[" + ", ".join(toml(item) for item in value) + "]"
     return json.dumps(value)
+
+
+def with_driver(driver, **more):
+    return {**GOOD, "trips": [{**TRIPS[0], "driver": driver}], **more}
 
 
 def both_say(data, folder):
@@ -95,6 +111,23 @@ def test_both_take_what_is_right(tmp_path):
     (tmp_path / "t.csv").write_text("vehicle,origin,destination\nA,x,y\n")
     for trips in ("t.csv", {"file": "t.csv"}):
         assert both_say({**GOOD, "trips": trips}, tmp_path) == (True, True)
+    for rules in RULES:
+        asked = {**GOOD, "rules": rules, "task_relief": 0.5}
+        assert both_say(asked, tmp_path) == (True, True)
+    for driver in ({}, DRIVER, AT_MOST):
+        assert both_say(with_driver(driver, rules="eu561"), tmp_path) == (True, True)
+
+
+@pytest.mark.parametrize("key", STATE_KEYS)
+def test_both_refuse_a_driver_that_cannot_be(tmp_path, key):
+    top = SCHEMA["$defs"]["driver"]["properties"][key].get("maximum", 1) + 1
+    for value in (-1, top, "x", [], {}, not key.startswith("first")):
+        if key == "first_part_taken" and value is False:
+            continue
+        assert both_say(with_driver({key: value}), tmp_path) == (False, False), value
+    wrong = [{f"{key}s": 1}, {key.replace("_", "-") + "-": 1}]
+    for driver in (*wrong, 3, "rested", [1]):
+        assert both_say(with_driver(driver), tmp_path) == (False, False)
 
 
 WRONG = [
@@ -111,6 +144,8 @@ WRONG = [
     (["title"], ""), (["title"], 3), (["case"], "E"), (["case"], 1), (["objective"], "both"),
     (["method"], "magic"), (["master"], ""), (["colour"], "red"), (["costs"], 3),
     (["costs"], {"tau": 2}), (["costs"], {"tau": "1"}), (["costs"], {"mixing": "none"}),
+    (["rules"], ""), (["rules"], 561), (["rules"], ["eu561"]), (["task_relief"], -0.1),
+    (["task_relief"], 1.1), (["task_relief"], "0.5"), (["task_relief"], True),
     (["costs"], {"tua": 1}), (["costs"], {"preset": 3}), (["costs"], {"rest_s": -1}),
     (["costs"], {"speed_kmh": 0}), (["costs"], {"positions": ""}),
     (["trips"], []), (["trips"], 3), (["trips"], ""), (["trips"], {}), (["trips"], ["A"]),

@@ -1,6 +1,7 @@
 """Trips written by the tests as programs save them: TOML, CSV, workbooks, GeoPackages."""
 
 import csv
+import dataclasses
 import io
 import json
 from datetime import datetime
@@ -10,6 +11,7 @@ import openpyxl
 import pandas
 import shapely
 
+from platoon_osm.driving.state import DriverState
 from platoon_osm.network.location import Place
 from platoon_osm.plans.trip import TIMES
 
@@ -30,6 +32,37 @@ def place_cells(end, place, number=repr):
     return {end: place, **label}
 
 
+TOLD_IN = {
+    "driven_since_break_s": ("min", 60), "driven_today_s": ("h", 3600), "duty_s": ("s", 1),
+    "driven_this_week_s": ("h", 3600), "driven_last_week_s": ("min", 60),
+    "since_weekly_rest_s": ("s", 1),
+}  # fmt: skip
+"""The unit in which each time of a driver is written; all of them are read."""
+
+
+def told_state(state):
+    """Return what differs from a rested driver, by the keys of scenarios."""
+    told = {}
+    for item in dataclasses.fields(DriverState):
+        value = getattr(state, item.name)
+        if value == item.default:
+            continue
+        if item.name in TOLD_IN:
+            unit, seconds = TOLD_IN[item.name]
+            told[item.name.removesuffix("s") + unit] = value / seconds
+        else:
+            told[item.name] = value
+    return told
+
+
+def driver_cells(state, number=repr):
+    """Return the cells of a driver, by column."""
+    return {
+        key if key == "drivers" else f"driver_{key}": number(value)
+        for key, value in told_state(state).items()
+    }
+
+
 def rows_of(trips, number=repr, moment=datetime.isoformat):
     """Return the cells of each trip by column; those it says nothing of are missing."""
     rows = []
@@ -41,6 +74,7 @@ def rows_of(trips, number=repr, moment=datetime.isoformat):
             value = getattr(trip, key)
             if value is not None:
                 row[key] = moment(value) if key in TIMES else number(value)
+        row |= driver_cells(trip.driver, number)
         rows.append(row)
     return rows
 
@@ -113,4 +147,7 @@ def as_toml(trips, head='network = "italy-motorways"\n'):
             value = getattr(trip, key)
             if value is not None:
                 text += f"{key} = {toml_value(value)}\n"
+        if told := told_state(trip.driver):
+            text += "\n[trips.driver]\n"
+            text += "".join(f"{key} = {json.dumps(value)}\n" for key, value in told.items())
     return text

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import resources
 from pathlib import Path
 
 import click
 
+from ...driving.rules import RULES
 from ...output_paths import Output, check_outputs
 from ..exit_status import end_if_late
 from ..language import language_options
+from ..options import rules_named
 from ..outputs import output_kind, write_all
 from ..progress import steps
 
@@ -31,8 +34,12 @@ SCENARIOS = {
     "--map", "network", type=click.Choice(tuple(SCENARIOS)), default="italy-motorways",
     help="Bundled map to plan on; that of Italy if not given.",
 )  # fmt: skip
+@click.option(
+    "--rules", type=rules_named, metavar="TEXT", default="none",
+    help=f"Driving rules by which breaks and rests are planned: {', '.join(RULES)}.",
+)  # fmt: skip
 @language_options
-def verb(output: Output, network: str) -> None:
+def verb(output: Output, network: str, rules: str) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
 
     With --map california-corridor: three trucks up the I 5 in case C, on a true extract of
@@ -58,6 +65,7 @@ def verb(output: Output, network: str) -> None:
             with resources.as_file(folder / f"{name}.toml") as path:
                 scenario = read_scenario(path)
             begin(f"planning {scenario.title}")
+            scenario = replace(scenario, options={**scenario.options, "rules": rules})
             plans.append((scenario.title, scenario.plan(net)))
         title, plan = plans[-1]
 

@@ -10,6 +10,7 @@ import click
 
 from ...costs.fuel import FUEL_SAVINGS
 from ...costs.presets import PRESETS
+from ...driving.rules import RULES
 from ...output_paths import check_outputs
 from ...report.exporters import EXPORTERS, Exporter
 from ..asked import asked_options, asked_scenario
@@ -27,7 +28,7 @@ __all__ = ["verb"]
 
 
 class _WithExporters(Sections):
-    """A verb with an option for each exporter; its help lists fuel tables and objectives too."""
+    """A verb with an option for each exporter; its help lists what names there are."""
 
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         own = super().get_params(ctx)
@@ -40,6 +41,8 @@ class _WithExporters(Sections):
             formatter.write_dl([(table.name, table.source) for table in FUEL_SAVINGS.values()])
         with formatter.section('Objectives, for preset = "..." under [costs]'):
             formatter.write_dl([(preset.name, preset.about) for preset in PRESETS.values()])
+        with formatter.section('Driving rules, for --rules and rules = "..."'):
+            formatter.write_dl([(rules.name, rules.about) for rules in RULES.values()])
         super().format_epilog(ctx, formatter)
 
 

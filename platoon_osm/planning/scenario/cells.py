@@ -8,26 +8,28 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from datetime import date, datetime, time
 from typing import Any
 
-from ...errors import ScenarioError, brief
+from ...errors import ScenarioError
 from ...plans.trip import TIMES
-from .keys import FLEXIBILITY, PLACES, PROFILE
+from .cell_values import number_in, text_in, whole_in
+from .driver_cells import DRIVER_COLUMNS, driver_of
+from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE
 
-__all__ = ["COLUMNS", "PARTS", "column_named", "is_blank", "row_of"]
+__all__ = ["COLUMNS", "MAIN_COLUMNS", "PARTS", "column_named", "is_blank", "row_of"]
 
 PARTS = ("lon", "lat", "osmid", "label")
 SIZES = ("height_m", "width_m", "length_m", "mass_t", "rating_t", "axle_load_t", "limiter_kmh")
 """What a row may say of its vehicle besides, or in place of, the name of a profile."""
-COLUMNS = (
+MAIN_COLUMNS = (
     "vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, *SIZES,
-    *(f"{end}_{part}" for end in PLACES for part in PARTS),
+    *(f"{end}_{part}" for end in PLACES for part in PARTS), "drivers",
 )  # fmt: skip
+"""Those that messages list."""
+COLUMNS = (*dict.fromkeys((*MAIN_COLUMNS, *DRIVER_COLUMNS)),)
 """Columns there are; vehicle and both places must be given."""
 
 UNITS = {"m": "metres", "t": "tonnes", "kmh": "kilometres an hour"}
-NUMBER = re.compile(r"[+-]?\d+([.,]\d*)?([eE][+-]?\d+)?")
 
 
 def column_named(title: Any) -> str:
@@ -86,22 +88,24 @@ def row_of(where: str, cells: Mapping[str, Any]) -> dict[str, Any]:
     given = {key: cell for key, cell in cells.items() if not is_blank(cell)}
     if "vehicle" not in given:
         raise ScenarioError(f"{where}: vehicle is empty; every trip has the name of its vehicle")
-    row: dict[str, Any] = {"vehicle": _text(f"{where}: vehicle", given["vehicle"])}
+    row: dict[str, Any] = {"vehicle": text_in(f"{where}: vehicle", given["vehicle"])}
     for end in PLACES:
         row[end] = _place(where, end, given)
     row |= {key: given[key] for key in TIMES if key in given}
     if FLEXIBILITY in given:
-        row[FLEXIBILITY] = _number(f"{where}: {FLEXIBILITY}", given[FLEXIBILITY], "minutes")
+        row[FLEXIBILITY] = number_in(f"{where}: {FLEXIBILITY}", given[FLEXIBILITY], "minutes")
     sizes = {
-        key: _number(f"{where}: {key}", given[key], UNITS[key.rpartition("_")[2]])
+        key: number_in(f"{where}: {key}", given[key], UNITS[key.rpartition("_")[2]])
         for key in SIZES
         if key in given
     }
     if PROFILE in given:
-        named = _text(f"{where}: {PROFILE}", given[PROFILE])
+        named = text_in(f"{where}: {PROFILE}", given[PROFILE])
         row[PROFILE] = {"base": named, **sizes} if sizes else named
     elif sizes:
         row[PROFILE] = sizes
+    if driver := driver_of(where, given):
+        row[DRIVER] = driver
     return row
 
 
@@ -125,50 +129,21 @@ def _place(where: str, end: str, given: Mapping[str, Any]) -> Any:
         raise ScenarioError(f"{where}: {end} is empty; give a name or lon, lat")
     at: dict[str, Any]
     if osmid is not None:
-        at = {"osmid": _whole(f"{where}: {end}_osmid", osmid)}
+        at = {"osmid": whole_in(f"{where}: {end}_osmid", osmid)}
     elif end in given:
         cell = given[end]
         # A pair comes from geometry, all else is text.
-        at = {"at": cell if isinstance(cell, tuple) else _text(f"{where}: {end}", cell)}
+        at = {"at": cell if isinstance(cell, tuple) else text_in(f"{where}: {end}", cell)}
     else:
         if lon is None or lat is None:
             missing = f"{end}_lon" if lon is None else f"{end}_lat"
             raise ScenarioError(f"{where}: {missing} is empty; give longitude and latitude")
         at = {
             "at": (
-                _number(f"{where}: {end}_lon", lon, "degrees"),
-                _number(f"{where}: {end}_lat", lat, "degrees"),
+                number_in(f"{where}: {end}_lon", lon, "degrees"),
+                number_in(f"{where}: {end}_lat", lat, "degrees"),
             )
         }
     if label is not None:
-        return {**at, "label": _text(f"{where}: {end}_label", label)}
+        return {**at, "label": text_in(f"{where}: {end}_label", label)}
     return at.get("at", at)
-
-
-def _text(where: str, cell: Any) -> str:
-    """Return a cell as the text that its reader sees; 12.0 is shown as 12."""
-    if isinstance(cell, bool | date | datetime | time):
-        raise ScenarioError(
-            f"{where} = {cell} is no text; format the column as text in the spreadsheet"
-        )
-    if isinstance(cell, float) and cell.is_integer():
-        cell = int(cell)
-    return str(cell).strip()
-
-
-def _number(where: str, cell: Any, unit: str) -> float:
-    if isinstance(cell, int | float) and not isinstance(cell, bool):
-        return float(cell)
-    text = cell.strip().replace("\u2212", "-") if isinstance(cell, str) else ""
-    if not NUMBER.fullmatch(text):
-        raise ScenarioError(f"{where} = {brief(cell)} must be a number of {unit}")
-    return float(text.replace(",", "."))
-
-
-def _whole(where: str, cell: Any) -> int:
-    if isinstance(cell, str) and re.fullmatch(r"\d{1,19}", cell.strip()):
-        return int(cell)
-    number = cell if isinstance(cell, int | float) and not isinstance(cell, bool) else 0.5
-    if number != int(number):
-        raise ScenarioError(f"{where} = {brief(cell)} must be a whole number")
-    return int(number)

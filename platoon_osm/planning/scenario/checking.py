@@ -41,7 +41,9 @@ def checked(file: Path) -> str:
             "write its path as seen from the scenario"
         )
     case = scenario.options.get("case", "best")
-    return f"{file}: {_counted(len(scenario.trips))} on {source}, case {case}"
+    rules = scenario.options.get("rules", "none")
+    law = "" if rules == "none" else f", rules {rules}"
+    return f"{file}: {_counted(len(scenario.trips))} on {source}, case {case}{law}"
 
 
 def _counted(count: int) -> str:

@@ -11,12 +11,15 @@ from typing import Any
 from ...errors import PlatoonError, ScenarioError, brief
 from ...plans.trip import TIMES
 
-__all__ = ["FLEXIBILITY", "PLACES", "PROFILE", "TRIP_KEYS", "hint", "known", "text_of", "told"]
+__all__ = [
+    "DRIVER", "FLEXIBILITY", "PLACES", "PROFILE", "TRIP_KEYS", "hint", "known", "text_of", "told",
+]  # fmt: skip
 
 PLACES = ("origin", "destination")
 FLEXIBILITY = "flexibility_min"
 PROFILE = "profile"
-TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE)
+DRIVER = "driver"
+TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, DRIVER)
 """What a trip may say, in TOML as in tables; vehicle, origin and destination it must say."""
 
 
@@ -42,7 +45,7 @@ def known(where: str, given: Iterable[str], allowed: Sequence[str]) -> None:
             raise ScenarioError(f"{where} has no key {brief(key)}; {hint(key, allowed)}")
 
 
-def hint(key: str, allowed: Sequence[str]) -> str:
+def hint(key: str, allowed: Sequence[str], shown: Sequence[str] | None = None) -> str:
     """Say which word was meant, or which there are.
 
     Parameters
@@ -51,6 +54,8 @@ def hint(key: str, allowed: Sequence[str]) -> str:
         A word that is none of them.
     allowed : sequence of str
         Those there are.
+    shown : sequence of str, optional
+        Those to list if none is near; all of them if not given.
 
     Returns
     -------
@@ -58,7 +63,7 @@ def hint(key: str, allowed: Sequence[str]) -> str:
         For the end of a message.
     """
     near = difflib.get_close_matches(str(key)[:60], allowed, 1, 0.5)
-    return f"did you mean {near[0]!r}?" if near else f"known are {', '.join(allowed)}"
+    return f"did you mean {near[0]!r}?" if near else f"known are {', '.join(shown or allowed)}"
 
 
 def text_of(where: str, value: Any) -> str:

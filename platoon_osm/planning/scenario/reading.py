@@ -23,8 +23,8 @@ from .trip_tables import read_trips
 
 __all__ = ["OPTION_KEYS", "read_scenario"]
 
-TEXT_KEYS = ("case", "objective", "method", "master", "company")
-NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT)
+TEXT_KEYS = ("case", "objective", "method", "master", "company", "rules")
+NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT, "task_relief")
 OTHER_KEYS = ("profile", "close")
 OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS, *OTHER_KEYS)
 TOP_KEYS = ("title", "network", *OPTION_KEYS, "profiles", "costs", "trips")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...errors import ScenarioError, brief
-from .cells import COLUMNS, PARTS, column_named, is_blank
+from .cells import COLUMNS, MAIN_COLUMNS, PARTS, column_named, is_blank
 from .keys import PLACES, hint
 
 __all__ = ["Row", "rows_under"]
@@ -82,7 +82,8 @@ def _check(columns: Sequence[str], header: Sequence[Any], where: str) -> None:
         )
     for column, title in zip(columns, header, strict=True):
         if column and column not in COLUMNS:
-            raise ScenarioError(f"{where}: unknown column {brief(title)}; {hint(column, COLUMNS)}")
+            remedy = hint(column, COLUMNS, MAIN_COLUMNS)
+            raise ScenarioError(f"{where}: unknown column {brief(title)}; {remedy}")
         if column and columns.count(column) > 1:
             raise ScenarioError(f"{where}: column {column!r} stands there twice; keep one")
     for key in ("vehicle", *PLACES):

@@ -13,7 +13,7 @@ from ...network.location import Place
 from ...plans.trip import TIMES, Trip
 from ...vehicles.profile import NO_VEHICLES, Vehicle, vehicle_of
 from .clock_texts import moment
-from .keys import FLEXIBILITY, PLACES, PROFILE, TRIP_KEYS, known, text_of
+from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE, TRIP_KEYS, known, text_of
 
 __all__ = ["trip_of"]
 
@@ -55,6 +55,8 @@ def trip_of(where: str, row: Any, profiles: Mapping[str, Vehicle] = NO_VEHICLES)
         more[FLEXIBILITY] = _minutes(f"{where}: {FLEXIBILITY}", row[FLEXIBILITY])
     if PROFILE in row:
         more[PROFILE] = vehicle_of(row[PROFILE], f"{where}: {PROFILE}", profiles)
+    if DRIVER in row:
+        more[DRIVER] = row[DRIVER]
     try:
         return Trip(vehicle, origin, destination, **more)
     except PlatoonError as error:

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from trip_files import as_csv, as_toml, rows_of, write_gpkg, write_xlsx
 
 import platoon_osm as po
+from platoon_osm.driving.state import DriverState
 from platoon_osm.errors import NetworkError
 from platoon_osm.network.coordinate_text import coordinates_in
 from platoon_osm.network.location import Place
@@ -46,6 +47,24 @@ ZONED = st.booleans()
 SECONDS = st.integers(0, 7 * 86_400)
 
 
+QUARTERS = st.integers(0, 20)
+
+
+@st.composite
+def drivers(draw):
+    """Return what a driver has behind it, in quarters of an hour."""
+    if draw(st.booleans()):
+        return DriverState()
+    since, today, duty, *weeks = (900.0 * draw(QUARTERS) for _ in range(6))
+    return DriverState(
+        driven_since_break_s=since, driven_today_s=since + today, duty_s=since + today + duty,
+        first_part_taken=draw(st.booleans()), driven_this_week_s=weeks[0],
+        driven_last_week_s=weeks[1], since_weekly_rest_s=weeks[2],
+        long_days_used=draw(st.integers(0, 2)), reduced_rests_used=draw(st.integers(0, 3)),
+        drivers=draw(st.integers(1, 2)),
+    )  # fmt: skip
+
+
 @st.composite
 def trips(draw):
     """Return trips with or without times; all times have a zone or none has."""
@@ -65,7 +84,8 @@ def trips(draw):
             times["latest_arrival"] = later[1]
         if kind == "flexible":
             times["flexibility_min"] = draw(st.floats(0, 1e5).map(lambda x: round(x, 3)))
-        found.append(po.Trip(vehicle, draw(PLACES), draw(PLACES), **times))
+        ends = draw(PLACES), draw(PLACES)
+        found.append(po.Trip(vehicle, *ends, **times, driver=draw(drivers())))
     return found
 
 
