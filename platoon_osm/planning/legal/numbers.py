@@ -49,7 +49,8 @@ def numbers_of(limits: Limits) -> IntArray:
     days = math.isfinite(limits.day_s) or math.isfinite(limits.window_s)
     parts = limits.parts_s if spells and not two else None
     first, second = (NO_LIMIT, NO_LIMIT) if parts is None else map(_up, parts)
-    works = math.isfinite(limits.work_spell_s)
+    # Whoever has to take a break before has no spell of work that is too long: it is all driving.
+    works = limits.work_spell_s < limits.spell_s
     pause = _up(limits.work_pause_s)
     numbers = (
         0, first, second, whole if spells else NO_LIMIT,
@@ -58,7 +59,7 @@ def numbers_of(limits: Limits) -> IntArray:
         _up(limits.weekly_rest_s), _up(limits.change_s) if two else NO_LIMIT,
         max(whole, _up(limits.change_s)) if two else NO_LIMIT,
         pause if works and pause not in (first, whole) else NO_LIMIT,
-        _down(limits.spell_s), _down(limits.work_spell_s), pause,
+        _down(limits.spell_s), _down(limits.work_spell_s) if works else NO_LIMIT, pause,
         _down(limits.day_s / share), _down(limits.long_day_s / share), limits.long_days,
         _down(limits.window_s), _down(limits.long_window_s), limits.reduced_rests,
         _down(limits.week_s / share), _down(limits.fortnight_s / share),

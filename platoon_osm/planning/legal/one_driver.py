@@ -1,0 +1,247 @@
+"""The fastest legal trip on a given way, for one driver or two in one vehicle.
+
+Earliest arrival, and among the trips that have it the latest departure; or the latest departure
+that is in time. Found by labels (`label_search`), after Goel, "The minimum duration truck driver
+scheduling problem" (EURO Journal on Transportation and Logistics, 2012).
+
+It is the best among all trips in whole seconds that keep the limits and pause at the road's points,
+on these conditions: no place with a limited stay is where a ban or an appointment has to be waited
+for; where driving in a week can be too much, or a long day could lie on either side of Monday, what
+would be driven before Monday is not moved beyond it by leaving later, but by waiting there; two
+drivers change seats after 45 min at the earliest, and not at a rest. Without those it is legal all
+the same, and may be later than the best.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from ...driving.limits import Limits
+from ...driving.state import DriverState
+from ...errors import ScenarioError
+from .kernel import label_search
+from .label_search import (
+    CALENDAR,
+    FORTNIGHT,
+    GONE,
+    GONE_MOST,
+    MOST_WEEK,
+    TIME,
+    WEEKLY_DUE,
+    WEEKLY_END,
+)  # fmt: skip
+from .numbers import kinds_of, numbers_of
+from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
+from .start import Start, starts_of
+from .timed import chosen, timed
+from .waiting import windows_of
+
+__all__ = ["Aim", "fastest", "least_late"]
+
+Aim = Literal["arrive", "leave"]
+
+WIDTH = 12
+"""Labels of each point that are kept in the first, narrow search."""
+
+LOOK_BACK = 3
+"""How many times its driving time before the arrival a trip's departure is first looked for."""
+
+FARTHEST_S = 60 * 86_400
+"""No departure lies farther before the arrival [s]."""
+
+
+def fastest(
+    road: Road,
+    limits: Limits,
+    state: DriverState,
+    state_at_s: int | None,
+    earliest_s: int | None,
+    latest_s: int | None = None,
+    arrival_s: int | None = None,
+    monday_s: int = 0,
+    aim: Aim = "arrive",
+    *,
+    dominance: bool = True,
+) -> LegalTrip | None:
+    """Return the fastest legal trip.
+
+    Parameters
+    ----------
+    road : Road
+        The way.
+    limits : Limits
+        The law; those of two drivers if `state.drivers` is 2.
+    state : DriverState
+        What the driver has behind it.
+    state_at_s : int or None
+        When that holds [s]: from then until it leaves, the driver is at rest at the origin. None
+        if it holds whenever it leaves.
+    earliest_s : int or None
+        The earliest departure [s]; None if there is none, and an arrival is named.
+    latest_s : int, optional
+        The latest departure [s].
+    arrival_s : int, optional
+        The latest arrival [s].
+    monday_s : int, optional
+        A Monday 0:00 UTC [s].
+    aim : {"arrive", "leave"}, optional
+        Whether to arrive as early as possible and, among such trips, to leave as late as possible;
+        or to leave as late as possible and, among such trips, to arrive as early as possible.
+    dominance : bool, optional
+        False keeps every label, which is slow and gives the same.
+
+    Returns
+    -------
+    LegalTrip or None
+        None if no trip keeps the law and these times.
+
+    Raises
+    ------
+    ScenarioError
+        Neither an earliest departure nor, for "leave", a latest arrival.
+    """
+    if earliest_s is None and state_at_s is not None:
+        earliest_s = state_at_s
+    if arrival_s is None and (aim == "leave" or earliest_s is None):
+        raise ScenarioError(
+            "legal trip: no time is given; give an earliest departure or an arrival"
+        )
+    one = _Search(road, limits, state, monday_s, dominance)
+    last = NO_LIMIT if latest_s is None else latest_s
+    if earliest_s is not None:
+        return one.best(state_at_s, earliest_s, last, arrival_s, aim)
+    assert arrival_s is not None
+    # Later departures are better: the first span that holds a trip holds the best.
+    back = LOOK_BACK * int(road.drive_s.sum()) + 3600
+    while True:
+        begin = arrival_s - min(back, FARTHEST_S)
+        found = one.best(state_at_s, begin, last, arrival_s, aim)
+        if found is not None or back >= FARTHEST_S:
+            return found
+        back *= 2
+
+
+def least_late(
+    road: Road,
+    limits: Limits,
+    state: DriverState,
+    state_at_s: int | None,
+    earliest_s: int,
+    latest_s: int | None = None,
+    monday_s: int = 0,
+) -> int | None:
+    """Return the earliest arrival within the law, whatever the latest allowed.
+
+    Parameters
+    ----------
+    road : Road
+        The way.
+    limits : Limits
+        The law.
+    state : DriverState
+        What the driver has behind it.
+    state_at_s : int or None
+        When that holds [s].
+    earliest_s : int
+        The earliest departure [s].
+    latest_s : int, optional
+        The latest departure [s].
+    monday_s : int, optional
+        A Monday 0:00 UTC [s].
+
+    Returns
+    -------
+    int or None
+        Seconds; None if the law forbids the way altogether.
+    """
+    one = _Search(road, limits, state, monday_s, dominance=True)
+    return one.arrival(state_at_s, earliest_s, NO_LIMIT if latest_s is None else latest_s)
+
+
+class _Search:
+    """The search on one road under one law."""
+
+    def __init__(
+        self, road: Road, limits: Limits, state: DriverState, monday_s: int, dominance: bool
+    ) -> None:
+        self.road, self.state, self.monday, self.dominance = road, state, monday_s, dominance
+        self.numbers = numbers_of(limits)
+        self.kinds = kinds_of(self.numbers)
+        self.windows = windows_of(road)
+        self.kernel = label_search(int((road.stay_s > 0).sum()))
+        total = int(road.clock_s.sum())
+        this, last = state.driven_this_week_s, state.driven_last_week_s
+        fits = this + total <= self.numbers[MOST_WEEK]
+        fits &= this + last + total <= self.numbers[FORTNIGHT] or not self.numbers[CALENDAR]
+        self.weeks = int(not fits)
+
+    def best(
+        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
+        aim: Aim,
+    ) -> LegalTrip | None:  # fmt: skip
+        """Return the best trip that leaves within a span of time."""
+        if aim == "arrive":
+            found = self.arrival(state_at_s, earliest_s, latest_s)
+            if found is None or (arrival_s is not None and found > arrival_s):
+                return None
+            arrival_s = found
+        assert arrival_s is not None
+        if self.road.hops == 0:
+            leaves = min(latest_s, arrival_s)
+            return LegalTrip(leaves, leaves) if leaves >= earliest_s else None
+        start = self._start(state_at_s, earliest_s, latest_s)
+        labels, info, first = self._run(start, arrival_s, late=True, width=0)
+        low, high = int(first[-2]), int(first[-1])
+        if low == high:
+            return None
+        ends = labels[low:high]
+        spare = arrival_s - ends[:, TIME]
+        leaves = np.minimum(ends[:, GONE_MOST], ends[:, TIME] - ends[:, GONE] + spare)
+        order = np.lexsort((ends[:, GONE], -leaves))
+        for label in order:
+            choice = chosen(info, low + int(label), self.road.hops)
+            trip = timed(self.road, choice, self.numbers, arrival_s, shortest=aim == "leave")
+            if trip is not None:
+                return trip
+        return None
+
+    def arrival(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> int | None:
+        """Return the earliest arrival of those who leave within a span of time."""
+        if self.road.hops == 0:
+            return earliest_s if earliest_s <= latest_s else None
+        start = self._start(state_at_s, earliest_s, latest_s)
+        bound = NO_LIMIT
+        for width in (WIDTH, 0):
+            labels, _, first = self._run(start, bound, late=False, width=width)
+            low, high = int(first[-2]), int(first[-1])
+            if low < high:
+                bound = int(labels[low:high, TIME].min())
+        return bound if bound < NO_LIMIT else None
+
+    def _start(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> Start:
+        first, windows = self.windows
+        if self.road.leave_s[0] != FREE:
+            earliest_s = max(earliest_s, int(self.road.leave_s[0]))
+            latest_s = min(latest_s, int(self.road.leave_s[0]))
+        return starts_of(
+            self.state, state_at_s, earliest_s, latest_s, windows[first[0] : first[1]],
+            self.numbers, self.kinds, self.monday,
+        )  # fmt: skip
+
+    def _run(
+        self, start: Start, arrival_s: int, late: bool, width: int
+    ) -> tuple[IntArray, IntArray, IntArray]:
+        road = self.road
+        first, windows = self.windows
+        weekly = self.numbers[WEEKLY_DUE] < NO_LIMIT and (
+            len(start.labels) == 0
+            or arrival_s - int(start.labels[:, WEEKLY_END].min()) > self.numbers[WEEKLY_DUE]
+        )
+        found: tuple[IntArray, IntArray, IntArray] = self.kernel(
+            road.drive_s, road.clock_s, road.stay_s, road.leave_s, first, windows, self.numbers,
+            self.kinds, start.labels, start.info, self.monday, start.fixed_weekly_end_s, arrival_s,
+            late, self.weeks, int(weekly), width, self.dominance,
+        )  # fmt: skip
+        return found

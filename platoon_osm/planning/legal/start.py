@@ -1,0 +1,166 @@
+"""The labels with which a driver may leave the origin.
+
+Its state holds at a moment from which on it stands at the origin and is at rest: to leave later may
+be a break, or a daily rest. If no moment is named, the state holds whenever it leaves.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...driving.state import DriverState
+from .label_search import (
+    BESIDE,
+    BESIDE_LENGTH,
+    BROKEN,
+    CLOSES,
+    COLUMNS,
+    DUTY,
+    DUTY_MOST,
+    DUTY_WEEK,
+    GONE,
+    GONE_MOST,
+    INFO,
+    KIND,
+    LAST_WEEK,
+    LONG_DAYS,
+    OPENS,
+    OTHER_LAST_WEEK,
+    OTHER_LONG_DAYS,
+    OTHER_TODAY,
+    OTHER_WEEK,
+    PARENT,
+    PART,
+    REDUCED_USED,
+    TIME,
+    TODAY,
+    WEEK,
+    WEEK_DRIVEN,
+    WEEK_S,
+    WEEKLY_END,
+    WORKED,
+    allowed,
+    leave,
+)  # fmt: skip
+from .numbers import CHANGE, CHANGE_IN_BREAK, NONE
+from .road import NO_LIMIT, IntArray
+
+__all__ = ["Start", "starts_of"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Start:
+    """How a trip may begin.
+
+    Attributes
+    ----------
+    labels : int64 array, (k, COLUMNS)
+        Those that leave the origin.
+    info : int64 array, (k, INFO)
+        With which pause, and when it is left.
+    fixed_weekly_end_s : int
+        The end of the last weekly rest if it does not move with the departure [s]; -`NO_LIMIT` if
+        it does.
+    """
+
+    labels: IntArray
+    info: IntArray
+    fixed_weekly_end_s: int
+
+
+def starts_of(
+    state: DriverState,
+    state_at_s: int | None,
+    earliest_s: int,
+    latest_s: int,
+    windows: IntArray,
+    numbers: IntArray,
+    kinds: IntArray,
+    monday_s: int,
+) -> Start:  # fmt: skip
+    """Return the labels that leave the origin.
+
+    Parameters
+    ----------
+    state : DriverState
+        Of the driver, or of both alike.
+    state_at_s : int or None
+        When it holds [s]; None if whenever it leaves.
+    earliest_s, latest_s : int
+        When the origin may be left [s].
+    windows : int64 array, (k, 2)
+        When else it may be left [s]; empty if at any time.
+    numbers, kinds : int64 array
+        The limits, and the kinds of pause that they know.
+    monday_s : int
+        A Monday 0:00 UTC [s].
+
+    Returns
+    -------
+    Start
+        None of its labels arrived anywhere yet.
+    """
+    spans = [(-NO_LIMIT, NO_LIMIT)] if len(windows) == 0 else [(int(a), int(b)) for a, b in windows]
+    spans = [(max(a, earliest_s), min(b, latest_s)) for a, b in spans]
+    spans = [(a, b) for a, b in spans if a <= b]
+    since = math.ceil(state.since_weekly_rest_s)
+    resting = state.duty_s is None
+    moves = state_at_s is None or (resting and since == 0)
+    labels, infos = [], []
+    for opens, closes in spans:
+        begins = opens if state_at_s is None else min(state_at_s, opens)
+        label = _as_of(state, begins, numbers, monday_s)
+        label[WEEKLY_END] = begins - since
+        for kind in [NONE] if state_at_s is None else kinds:
+            if kind in (CHANGE, CHANGE_IN_BREAK) or not allowed(kind, label, numbers):
+                continue
+            out = np.zeros(COLUMNS, dtype=np.int64)
+            done = leave(
+                int(kind), begins, opens, closes, NO_LIMIT, 0, label, numbers, monday_s,
+                NO_LIMIT, out,
+            )  # fmt: skip
+            if not done:
+                continue
+            left = int(out[TIME])
+            out[GONE], out[GONE_MOST] = 0, closes
+            if resting:
+                out[DUTY], out[DUTY_MOST] = 0, closes
+                out[DUTY_WEEK] = (left - monday_s) // WEEK_S
+            elif state_at_s is None:
+                out[DUTY_MOST] = min(NO_LIMIT, closes - out[DUTY]) if closes < NO_LIMIT else closes
+            if moves and out[WEEKLY_END] <= begins:
+                out[WEEKLY_END] = left - since
+            labels.append(out)
+            info = np.zeros(INFO, dtype=np.int64)
+            info[[PARENT, KIND, OPENS, CLOSES]] = -1, kind, opens, closes
+            infos.append(info)
+    fixed = -NO_LIMIT if moves or state_at_s is None else state_at_s - since
+    return Start(
+        np.array(labels, dtype=np.int64).reshape(-1, COLUMNS),
+        np.array(infos, dtype=np.int64).reshape(-1, INFO),
+        fixed,
+    )
+
+
+def _as_of(state: DriverState, at_s: int, numbers: IntArray, monday_s: int) -> IntArray:
+    """Return the label of a driver who stands at the origin at a moment."""
+    label = np.zeros(COLUMNS, dtype=np.int64)
+    duty = math.ceil(state.duty_s or 0.0)
+    broken = math.ceil(state.driven_since_break_s)
+    label[TIME] = label[GONE_MOST] = at_s
+    label[BROKEN] = label[WORKED] = broken
+    label[PART] = state.first_part_taken
+    label[TODAY] = label[OTHER_TODAY] = math.ceil(state.driven_today_s)
+    label[DUTY] = duty
+    label[DUTY_MOST] = at_s - duty
+    label[LONG_DAYS] = label[OTHER_LONG_DAYS] = state.long_days_used
+    label[REDUCED_USED] = state.reduced_rests_used
+    label[WEEK_DRIVEN] = label[OTHER_WEEK] = math.ceil(state.driven_this_week_s)
+    label[LAST_WEEK] = label[OTHER_LAST_WEEK] = math.ceil(state.driven_last_week_s)
+    label[WEEK] = (at_s - monday_s) // WEEK_S
+    label[DUTY_WEEK] = (at_s - duty - monday_s) // WEEK_S
+    label[BESIDE] = 0 if broken else numbers[BESIDE_LENGTH]
+    return label

@@ -1,0 +1,161 @@
+"""The moments of a trip whose pauses are chosen: as late as possible, then as early as that allows.
+
+Backwards from the arrival each point is left as late as its windows and the pauses allow. Forwards
+from the departure, pauses that count for something are prolonged up to that, and nothing else is:
+so the vehicle leaves late, rests long, and does not stand where standing is worth nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .label_search import CLOSES, INFO, KIND, OPENS, PARENT
+from .numbers import (
+    BREAK,
+    CHANGE,
+    CHANGE_IN_BREAK,
+    DAILY,
+    FIRST,
+    NONE,
+    PIECE,
+    REDUCED,
+    SECOND,
+    WEEKLY,
+)  # fmt: skip
+from .road import FREE, IntArray, LegalTrip, PlannedPause, Road
+
+__all__ = ["Choice", "chosen", "timed"]
+
+PURPOSE = {
+    FIRST: "first_part", SECOND: "second_part", BREAK: "break", REDUCED: "reduced_daily_rest",
+    DAILY: "daily_rest", WEEKLY: "weekly_rest", CHANGE: "change", CHANGE_IN_BREAK: "break",
+    PIECE: "break",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Choice:
+    """What a trip does at each point but the last.
+
+    Attributes
+    ----------
+    kinds : int64 array, (n,)
+        The kind of its pause.
+    opens_s, closes_s : int64 array, (n,)
+        Within which moments it leaves [s].
+    """
+
+    kinds: IntArray
+    opens_s: IntArray
+    closes_s: IntArray
+
+
+def chosen(info: IntArray, label: int, hops: int) -> Choice:
+    """Return the choices that led to a label.
+
+    Parameters
+    ----------
+    info : int64 array, (m, INFO)
+        Of the search.
+    label : int
+        One of the destination's.
+    hops : int
+        Of the road.
+
+    Returns
+    -------
+    Choice
+        Of the points before.
+    """
+    rows = np.zeros((hops, INFO), dtype=np.int64)
+    for hop in range(hops - 1, -1, -1):
+        rows[hop] = info[label]
+        label = int(info[label, PARENT])
+    return Choice(rows[:, KIND], rows[:, OPENS], rows[:, CLOSES])
+
+
+def timed(
+    road: Road, choice: Choice, numbers: IntArray, arrival_s: int, shortest: bool
+) -> LegalTrip | None:
+    """Return the trip that arrives by a moment and leaves as late as possible.
+
+    Parameters
+    ----------
+    road : Road
+        What is driven.
+    choice : Choice
+        Its pauses.
+    numbers : int64 array
+        Of the limits.
+    arrival_s : int
+        When it has to arrive [s].
+    shortest : bool
+        Whether it arrives earlier if that is possible with the same departure.
+
+    Returns
+    -------
+    LegalTrip or None
+        None if the choices do not go together with that arrival.
+    """
+    n = road.hops
+    lengths = numbers[choice.kinds]
+    latest = _latest(road, choice, lengths, arrival_s)
+    leaves = int(latest[0])
+    if shortest:
+        at = leaves
+        for hop in range(n):
+            if hop:
+                at = max(at + int(lengths[hop]), int(choice.opens_s[hop]))
+            at += int(road.drive_s[hop])
+        arrival_s = min(arrival_s, at)
+        latest = np.minimum(latest, _latest(road, choice, lengths, arrival_s))
+    if latest[0] < max(leaves, choice.opens_s[0]):
+        return None
+    pauses = []
+    at = leaves + int(road.drive_s[0]) if n else leaves
+    seat, drives = 0, [0] * n
+    for hop in range(1, n):
+        kind = int(choice.kinds[hop])
+        leave = max(at + int(lengths[hop]), int(choice.opens_s[hop]))
+        if kind != NONE:
+            leave = max(leave, min(int(latest[hop]), at + int(road.stay_s[hop])))
+        if leave > choice.closes_s[hop]:
+            return None
+        if leave > at:
+            forced = leave > at + int(lengths[hop]) and leave == choice.opens_s[hop]
+            appointed = road.leave_s[hop] != FREE
+            pauses.append(_pause(hop, at, leave, kind, numbers, forced, appointed))
+        if kind in (CHANGE, CHANGE_IN_BREAK):
+            seat = 1 - seat
+        drives[hop] = seat
+        at = leave + int(road.drive_s[hop])
+    two = numbers[CHANGE] < numbers[WEEKLY] and numbers[CHANGE] < 2**60
+    return LegalTrip(leaves, at, tuple(pauses), tuple(drives) if two else ())
+
+
+def _latest(road: Road, choice: Choice, lengths: IntArray, arrival_s: int) -> IntArray:
+    """Return when each point is left at the latest."""
+    latest = np.zeros(max(1, road.hops), dtype=np.int64)
+    at = arrival_s
+    for hop in range(road.hops - 1, -1, -1):
+        latest[hop] = min(at - int(road.drive_s[hop]), int(choice.closes_s[hop]))
+        at = int(latest[hop]) - int(lengths[hop])
+    return latest
+
+
+def _pause(
+    point: int, start: int, end: int, kind: int, numbers: IntArray, forced: bool, appointed: bool
+) -> PlannedPause:
+    stands = end - start
+    purposes = []
+    if kind == REDUCED and stands >= numbers[DAILY]:
+        kind = DAILY
+    if kind in PURPOSE:
+        purposes.append(PURPOSE[kind])
+    if kind == CHANGE_IN_BREAK:
+        purposes.append("change")
+    if forced or not purposes:
+        purposes.append("company" if appointed else "ban")
+    return PlannedPause(point, start, end, tuple(purposes))
