@@ -1,0 +1,408 @@
+"""The cheapest stops and departure of a master for its members, best first.
+
+A node of the search is a beginning of the master's stops and a span of its departure. Its bound is
+the sum of what each member pays at least (`platoon_kernel.py`). Nodes are split in their span, or
+by the next stop; once the stops are decided, members whose value is certain for the whole span are
+settled and counted no more. Where only pauses on a member's own ways leave it open, the real trip
+is asked for: if it can be driven throughout the span the member is settled, if it cannot be driven
+at all this pair of points is out, for this span. So bounds hold for pauses anywhere, while every
+plan that is returned has been driven with real places.
+
+What is searched: departures in whole seconds; stops at places of the master's way, of the lengths
+that the law names and those asked for; as many stops as its driving needs and `extra_stops` more,
+and no more daily rests than it needs, one more if there is no plan else.
+"""
+
+from __future__ import annotations
+
+import heapq
+import time
+from dataclasses import dataclass, field
+from itertools import count
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import platoon_kernel as kernel
+from .platoon_compiled import evaluator
+from .platoon_numbers import StarNumbers, numbers_of_star
+from .platoon_record import MASTER, MemberTiming, PlatoonTiming, Real, Timetable
+from .platoon_stops import MasterStops, Stops
+from .road import LegalTrip
+from .star_times import OPEN_S, StarTimes
+
+__all__ = ["search_platoon"]
+
+Floats = NDArray[np.float64]
+Seconds = NDArray[np.int64]
+Marks = NDArray[np.bool_]
+Pairs = tuple[tuple[int, int], ...]
+"""(row, code) of pairs that are out."""
+
+SPLIT_S = 2700
+"""Spans shorter than this are split by stops before they are split again [s]."""
+
+SAME = 1e-9
+"""Sums of costs that differ by less, relative to what all pay alone, are equal."""
+
+HORIZON_S = 48 * 3600
+"""How far beyond the members' windows a master without a window may leave [s]."""
+
+
+@dataclass(slots=True, eq=False)
+class _Node:
+    stops: Stops
+    ended: bool
+    begin: int
+    end: int
+    fixed: float
+    rows: Seconds
+    refuted: Pairs
+    low: Floats
+    high: Floats
+
+
+@dataclass(slots=True, eq=False)
+class _Search:
+    star: StarTimes
+    numbers: StarNumbers
+    stops: MasterStops
+    real: Real | None
+    deadline: float
+    evaluate: Any
+    tolerance: float
+    heap: list[tuple[float, int, int, _Node]] = field(default_factory=list)
+    order: Any = field(default_factory=count)
+    best: float = np.inf
+    found: tuple[Stops, int] | None = None
+    asked: dict[tuple[Any, ...], LegalTrip | None] = field(default_factory=dict)
+    evaluations: int = 0
+    spans: int = 0
+
+    def values(
+        self, rows: Seconds, stops: Stops, leaves: int, arrives: int, sure: bool,
+        refuted: Pairs = (), openings: tuple[int, bool, Seconds, Seconds] | None = None,
+    ) -> tuple[Floats, Seconds, Seconds]:  # fmt: skip
+        """Return what vehicles pay, and their points."""
+        some = self.numbers
+        n = len(some.pos)
+        if openings is None:
+            none = np.zeros(n, np.int64)
+            openings = n, False, none, none
+        out = (
+            np.empty(len(rows)), np.empty(len(rows), np.int64), np.empty(len(rows), np.int64)
+        )  # fmt: skip
+        first = np.zeros(len(rows) + 1, np.int64)
+        codes = np.zeros(0, np.int64)
+        if refuted:
+            own: list[list[int]] = [[] for _ in rows]
+            where = {int(row): k for k, row in enumerate(rows)}
+            for row, code in refuted:
+                if row in where:
+                    own[where[row]].append(code)
+            first[1:] = np.cumsum([len(one) for one in own])
+            codes = np.array([code for one in own for code in one], np.int64)
+        at = np.array([position for position, _ in stops], np.int64)
+        lengths = np.array([length for _, length in stops], np.int64)
+        self.evaluate(
+            rows, some.vehicles, some.approach, some.entry, some.onward, some.leave, some.platoon,
+            some.alone, some.slack, some.pos, some.tau, some.clocks, some.clock_of, some.along,
+            some.stay, at, lengths, openings[0], openings[1], openings[2], openings[3], leaves,
+            arrives, sure, first, codes, *out,
+        )  # fmt: skip
+        self.evaluations += len(rows)
+        return out
+
+    def push(
+        self, stops: Stops, ended: bool, begin: int, end: int, fixed: float, rows: Seconds,
+        refuted: Pairs = (),
+    ) -> None:  # fmt: skip
+        """Bound a node, and keep it if it may be better than what is found."""
+        if begin > end:
+            return
+        self.spans += 1
+        openings = None
+        if not ended:
+            clocks = self.stops.states(stops, end)
+            if clocks is None:
+                return
+            openings = self.stops.open_times(stops, clocks, begin)
+        low, _, _ = self.values(rows, stops, end, begin, False, refuted, openings)
+        if np.isinf(low).any():
+            return
+        bound = fixed + float(low.sum())
+        if bound >= self.best - self.tolerance:
+            return
+        high = low
+        if ended:
+            high, _, _ = self.values(rows, stops, begin, end, self.real is not None, refuted)
+            same = high - low <= self.tolerance * 1e-3
+            total = fixed + float(high.sum())
+            if total < self.best:
+                self.best, self.found = total, (stops, begin)
+            fixed += float(low[same].sum())
+            rows, low, high = rows[~same], low[~same], high[~same]
+            if not len(rows):
+                return
+        node = _Node(stops, ended, begin, end, fixed, rows, refuted, low, high)
+        pauses = sum(length for _, length in stops)
+        heapq.heappush(self.heap, (bound, pauses, next(self.order), node))
+
+    def run(self, begin: int, end: int) -> bool:
+        """Search; return whether it came to an end before the time was over."""
+        self.push((), False, begin, end, 0.0, np.arange(len(self.numbers.alone)))
+        while self.heap:
+            if self.heap[0][0] >= self.best - self.tolerance:
+                break
+            if time.perf_counter() > self.deadline:
+                return False
+            node = heapq.heappop(self.heap)[-1]
+            if node.ended:
+                self.settle(node)
+            elif node.end - node.begin >= SPLIT_S:
+                middle = (node.begin + node.end) // 2
+                for low, high in ((node.begin, middle), (middle + 1, node.end)):
+                    self.push(node.stops, False, low, high, node.fixed, node.rows)
+            else:
+                self.branch(node)
+        self.heap.clear()
+        return True
+
+    def branch(self, node: _Node) -> None:
+        """Decide the next stop, or that there is none."""
+        ways = self.stops
+        clocks = ways.states(node.stops, node.end)
+        if clocks is None:
+            return
+        if ways.is_end(node.stops, clocks):
+            for low, high in self.allowed(node.stops, node.begin, node.end):
+                self.push(node.stops, True, low, high, node.fixed, node.rows)
+        for stop in ways.nexts(node.stops, clocks, node.begin):
+            longer = (*node.stops, stop)
+            after = ways.states(longer, node.end)
+            if after and ways.can_end(longer, after, ways.budget(longer, node.begin)):
+                self.push(longer, False, node.begin, node.end, node.fixed, node.rows)
+
+    def allowed(self, stops: Stops, begin: int, end: int) -> list[tuple[int, int]]:
+        """Return the departures at which no hop starts while it is closed."""
+        road = self.star.road
+        row = self.numbers.vehicles[self.numbers.master]
+        stood = sum(length for _, length in stops)
+        end = min(end, int(row[kernel.ARRIVAL] - self.numbers.tau[-1] - stood))
+        if begin > end:
+            return []
+        if not len(road.forbidden_s):
+            return [(begin, end)]
+        leave = Timetable.of(self.star, 0, stops).leave_s[:-1]
+        hops = np.repeat(np.arange(road.hops), np.diff(road.forbidden_first))
+        closed = road.forbidden_s - leave[hops][:, None]
+        closed = closed[np.argsort(closed[:, 0], kind="stable")]
+        found, low = [], begin
+        for first, last in closed.tolist():
+            if last <= low:
+                continue
+            if first >= end:
+                break
+            if first >= low:
+                found.append((low, first))
+            low = max(low, last)
+        if low <= end:
+            found.append((low, end))
+        return found
+
+    def settle(self, node: _Node) -> None:
+        """Ask for real trips where only they can tell, then split the span."""
+        rows, stops = node.rows, node.stops
+        u, v = node.begin, node.end
+        middle, i, j = self.values(rows, stops, u, v, False, node.refuted)
+        refuted = list(node.refuted)
+        fixed, keep, changed = node.fixed, np.ones(len(rows), bool), False
+        for k, row in enumerate(rows.tolist()):
+            if self.real is None or middle[k] - node.low[k] > self.tolerance * 1e-3:
+                continue  # its time decides
+            if i[k] < 0 or self.trip(row, int(i[k]), int(j[k]), stops, u, u - v) is not None:
+                fixed, keep[k], changed = fixed + float(middle[k]), False, True
+            elif u == v or self.trip(row, int(i[k]), int(j[k]), stops, v, v - u) is None:
+                refuted.append((row, int(i[k]) * len(self.numbers.pos) + int(j[k])))
+                changed = True
+        if changed and (u == v or len(refuted) > len(node.refuted)):
+            self.push(stops, True, u, v, fixed, rows[keep], tuple(refuted))
+            return
+        if u < v:
+            half = (u + v) // 2
+            for low, high in ((u, half), (half + 1, v)):
+                self.push(stops, True, low, high, fixed, rows[keep], tuple(refuted))
+        elif changed:
+            self.push(stops, True, u, v, fixed, rows[keep], tuple(refuted))
+
+    def trip(
+        self, row: int, i: int, j: int, stops: Stops, departure: int, slack: int
+    ) -> LegalTrip | None:
+        """Ask for a real trip, once."""
+        some = self.numbers
+        if self.real is None:
+            return None
+        if row == some.master:
+            between, key_at = stops, departure
+        else:
+            low, high = int(some.pos[i]), int(some.pos[j])
+            between = tuple(stop for stop in stops if low <= stop[0] <= high)
+            stood = sum(length for position, length in stops if position < low)
+            key_at = departure + stood
+        key = (row, i, j, between, key_at, slack)
+        if key not in self.asked:
+            table = Timetable.of(self.star, departure, stops, slack)
+            if row == some.master:
+                self.asked[key] = self.real(MASTER, 0, len(self.star.node_at) - 1, table)
+            else:
+                shift = some.first_node
+                self.asked[key] = self.real(row, i - shift, j - shift, table)
+        return self.asked[key]
+
+    def real_choices(self, stops: Stops, departure: int) -> list[MemberTiming] | None:
+        """Return what members do at a departure, with real trips; None if the master cannot."""
+        some = self.numbers
+        master = np.array([some.master])
+        low, _, _ = self.values(master, stops, departure, departure, False)
+        if np.isinf(low).any() or (
+            self.real is not None
+            and self.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0) is None
+        ):
+            return None
+        rows = np.arange(some.master)
+        refuted: list[tuple[int, int]] = []
+        chosen: dict[int, MemberTiming] = {}
+        while len(rows):
+            cost, i, j = self.values(rows, stops, departure, departure, False, tuple(refuted))
+            left = []
+            for k, row in enumerate(rows.tolist()):
+                if i[k] < 0:
+                    able = cost[k] < some.penalty
+                    pays = float(self.star.alone[row]) if able else np.inf
+                    chosen[row] = MemberTiming(pays, possible=bool(able))
+                    continue
+                trip = self.trip(row, int(i[k]), int(j[k]), stops, departure, 0)
+                if trip is None and self.real is not None:
+                    refuted.append((row, int(i[k]) * len(some.pos) + int(j[k])))
+                    left.append(row)
+                else:
+                    shift = some.first_node
+                    nodes = int(i[k]) - shift, int(j[k]) - shift
+                    chosen[row] = MemberTiming(float(cost[k]), *nodes, trip)
+            rows = np.array(left, np.int64)
+        return [chosen[row] for row in range(some.master)]
+
+
+def search_platoon(
+    star: StarTimes,
+    real: Real | None,
+    time_limit_s: float = 10.0,
+    *,
+    in_time: Marks | None = None,
+    plain: Marks | None = None,
+    extra_stops: int = 1,
+    lengths: tuple[int, ...] = (),
+) -> PlatoonTiming:
+    """Return when a master leaves and where it stops, so that its members pay least in all.
+
+    Parameters
+    ----------
+    star : StarTimes
+        The master and its members.
+    real : callable or None
+        Says how a vehicle really drives; None if it may pause anywhere on its own ways, and no
+        trips are asked for.
+    time_limit_s : float
+        After which the best found is returned, with its bound [s].
+    in_time : ndarray of bool, (M,), optional
+        Which members may go alone: in time and within the law; by default those whose cost alone is
+        finite.
+    plain : ndarray of bool, (M,), optional
+        Which members have no driving bans or closed hours on any of their ways; by default all.
+    extra_stops : int
+        How many more stops are searched than the master's driving needs.
+    lengths : tuple of int
+        Lengths of pauses that are tried besides those that the law names [s].
+
+    Returns
+    -------
+    PlatoonTiming
+        Proved if nothing searched is better; else with a bound.
+    """
+    began = time.perf_counter()
+    members = len(star.alone)
+    if in_time is None:
+        in_time = np.isfinite(star.alone)
+    if plain is None:
+        plain = np.ones(members, bool)
+    begin, end = _departures(star)
+    found = PlatoonTiming(np.inf, np.inf, True, None, None)
+    for more in range(3):
+        probe = MasterStops(numbers_of_star(star, in_time, plain, 0), 0, 0)
+        clocks = probe.states((), end) or (0, kernel.FAR, 0)
+        stops, rests, _ = probe.left(clocks, int(probe.numbers.tau[-1]))
+        rests += more
+        most = max(stops, rests) + extra_stops
+        numbers = numbers_of_star(star, in_time, plain, rests + 1)
+        if more and probe.numbers.vehicles[probe.numbers.master, kernel.REST] >= kernel.FAR:
+            break
+        total = float(np.abs(star.alone[np.isfinite(star.alone)]).sum()) + 1.0
+        search = _Search(
+            star, numbers, MasterStops(numbers, most, rests, lengths), real,
+            began + time_limit_s, evaluator(members * len(numbers.pos)), SAME * total,
+        )  # fmt: skip
+        ended = search.run(begin, end)
+        found = _result(search, ended, began)
+        if found.timetable is not None or not ended:
+            break
+    return found
+
+
+def _departures(star: StarTimes) -> tuple[int, int]:
+    """Return the first and the last departure of the master that are searched."""
+    window = star.window
+    drive = int(star.road.drive_s.sum())
+    last = min(window.latest_s, window.arrival_s - drive)
+    known = [
+        at
+        for one in (*star.windows, window)
+        for at in (one.earliest_s, one.latest_s, one.arrival_s)
+        if abs(at) < OPEN_S // 2
+    ]
+    first = window.earliest_s
+    if first <= -OPEN_S // 2:
+        first = (min(known) - drive - HORIZON_S) if known else 0
+        first = min(first, last)
+    if last >= OPEN_S // 2:
+        last = (max(known) + HORIZON_S) if known else first
+        last = max(first, last)
+    return first, last
+
+
+def _result(search: _Search, ended: bool, began: float) -> PlatoonTiming:
+    star, some = search.star, search.numbers
+    alone = float(star.alone.sum()) + star.master_alone
+    bound = min([search.best, *(entry[0] for entry in search.heap)])
+    chosen = None
+    if search.found is not None:
+        stops, departure = search.found
+        chosen = search.real_choices(stops, departure)
+    counts = (search.evaluations, len(search.asked), search.spans)
+    if search.found is None or chosen is None:
+        return PlatoonTiming(
+            np.inf, bound + star.master_alone - float(np.maximum(star.gain, 0).sum()),
+            ended, None, None, (), alone, *counts, time.perf_counter() - began,
+        )  # fmt: skip
+    met = np.zeros(len(star.gain), bool)
+    for one in chosen:
+        met[max(one.merge, 0) : max(one.separate, 0)] |= not one.is_alone
+    pays = sum(one.cost if one.possible else some.penalty for one in chosen)
+    short = max(0.0, pays - bound) if not ended else 0.0
+    cost = sum(one.cost for one in chosen) + star.master_alone - float(star.gain[met].sum())
+    table = Timetable.of(star, departure, stops)
+    trip = search.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0)
+    return PlatoonTiming(
+        cost, cost - short, ended, table, trip, tuple(chosen), alone, *counts,
+        time.perf_counter() - began,
+    )  # fmt: skip

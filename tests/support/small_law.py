@@ -1,0 +1,240 @@
+"""A law of few seconds, drawn stars, and every way to drive them: an oracle for platoons.
+
+Nothing here bounds, sorts or dominates: states are carried from point to point in sets, with every
+whole second of standing at places.
+"""
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from platoon_osm.driving.limits import Limits
+from platoon_osm.driving.state import DriverState
+from platoon_osm.planning.legal.road import NO_LIMIT, LegalTrip, road_of
+from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, VehicleRules
+
+SMALL = Limits(
+    spell_s=6, break_s=3, parts_s=(1, 2), day_s=11, long_day_s=13, long_days=1, rest_s=9,
+    reduced_rest_s=7, reduced_rests=1, window_s=19, long_window_s=22,
+)  # fmt: skip
+NO_PARTS = Limits(
+    spell_s=7, break_s=2, day_s=12, long_day_s=12, rest_s=8, reduced_rest_s=8, window_s=17,
+    long_window_s=17,
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Way:
+    """Hops, how long one may stand at their ends, and when these have to be left."""
+
+    drive: tuple
+    clock: tuple
+    stay: tuple
+    leave: tuple
+
+
+def drivable(way, rules, window, slack=0):
+    """Whether a way can be driven: every departure, every whole second of standing."""
+    limits, state = rules.limits, rules.state
+    late = window.arrival_s + slack
+    sure, long_window = limits.window_s + slack, limits.long_window_s + slack
+    begin = window.earliest_s
+    duty = None if state.duty_s is None else begin - int(state.duty_s)
+    start = (
+        begin, int(state.driven_since_break_s), int(state.first_part_taken),
+        int(state.driven_today_s), duty, state.long_days_used, state.reduced_rests_used,
+    )  # fmt: skip
+
+    def paused(now, leaves, counts):
+        """Every way to count a pause."""
+        time, broken, part, today, duty, long_days, reduced = now
+        length = min(leaves - time, counts)
+        yield (leaves, broken, part, today, duty, long_days, reduced)
+        if limits.parts_s and length >= limits.parts_s[0]:
+            yield (leaves, broken, 1, today, duty, long_days, reduced)
+        if length >= limits.break_s or (limits.parts_s and part and length >= limits.parts_s[1]):
+            yield (leaves, 0, 0, today, duty, long_days, reduced)
+        on_duty = 0 if duty is None else time - duty
+        if length >= limits.rest_s and on_duty <= sure:
+            yield (leaves, 0, 0, 0, leaves, long_days, reduced)
+        if (
+            length >= limits.reduced_rest_s
+            and on_duty <= long_window
+            and reduced < limits.reduced_rests
+        ):
+            yield (leaves, 0, 0, 0, leaves, long_days, reduced + 1)
+
+    left = list(itertools.accumulate(reversed(way.drive), initial=0))[::-1]
+    found = {start}
+    for k in range(len(way.drive)):
+        after = set()
+        for now in found:
+            time = now[0]
+            if way.leave[k] is not None:
+                moments = [way.leave[k]] if way.leave[k] >= time else []
+                if k == 0 and way.leave[k] > window.latest_s + slack:
+                    moments = []
+            else:
+                last = min(late - left[k], window.latest_s if k == 0 else late)
+                moments = range(time, last + 1) if k == 0 or way.stay[k] else [time]
+            for leaves in moments:
+                counts = NO_LIMIT if k == 0 else way.stay[k]
+                for gone in paused(now, leaves, counts):
+                    _, broken, part, today, duty, long_days, reduced = gone
+                    if duty is None:
+                        duty = leaves
+                    broken, day = broken + way.clock[k], today + way.clock[k]
+                    ends = leaves + way.drive[k]
+                    if broken > limits.spell_s or day > limits.long_day_s:
+                        continue
+                    if day > limits.day_s >= today:
+                        long_days += 1
+                        if long_days > limits.long_days:
+                            continue
+                    on_duty = ends - duty
+                    spent = reduced >= limits.reduced_rests
+                    if on_duty > long_window or (on_duty > sure and spent):
+                        continue
+                    if ends + left[k + 1] <= late:
+                        after.add((ends, broken, part, day, duty, long_days, reduced))
+        found = after
+    return bool(found)
+
+
+@dataclass
+class Drawn:
+    """A star and the real ways of its members."""
+
+    star: StarTimes
+    approach: list
+    onward: list
+    alone: list
+
+    def way(self, member, i, j, table):
+        """The joint way of a member."""
+        star = self.star
+        low, high = int(star.node_at[i]), int(star.node_at[j])
+        if member < 0:
+            low, high = 0, star.road.hops
+            before = after = ((), (0,))
+        else:
+            before, after = self.approach[member][i], self.onward[member][j]
+        drive = tuple(star.road.drive_s[low:high].tolist())
+        share = 0.0 if member < 0 else star.relief
+        clock = tuple(int(np.ceil(one * (1 - share))) for one in drive)
+        leave = table.leave_s[low:high].tolist()
+        own = star.road.stay_s.tolist()
+        stops = dict(table.stops)
+        inner = [own[k] if k in stops else 0 for k in range(low + 1, high)]
+        ends = [] if low == high else [max(own[low], before[1][-1]), *inner]
+        last = max(own[high], after[1][0])
+        return Way(
+            (*before[0], *drive, *after[0]),
+            (*before[0], *clock, *after[0]),
+            (*before[1][:-1], *ends, last, *after[1][1:]),
+            (*[None] * len(before[0]), *leave, *[None] * (len(after[0]) + 1)),
+        )
+
+    def real(self, member, i, j, table):
+        """What the search asks."""
+        star = self.star
+        rules = star.rules if member < 0 else star.member_rules[member]
+        window = star.window if member < 0 else star.windows[member]
+        way = self.way(member, i, j, table)
+        if drivable(way, rules, window, table.slack_s):
+            return LegalTrip(window.earliest_s, window.arrival_s)
+        return None
+
+    def goes_alone(self, member):
+        """Whether a member can drive alone."""
+        drive, stay = self.alone[member]
+        way = Way(drive, drive, stay, (None,) * len(stay))
+        return drivable(way, self.star.member_rules[member], self.star.windows[member])
+
+
+def cut(rng, seconds, everywhere):
+    """Cut a way into hops, with places between some of them."""
+    hops = [1] * seconds
+    stay = [NO_LIMIT if everywhere or rng.random() < 0.5 else 0 for _ in range(seconds + 1)]
+    return tuple(hops), tuple(stay)
+
+
+def drawn(seed, *, members=2, everywhere=False, limits=SMALL, relief=0.0, night=False):
+    """Draw a star."""
+    rng = np.random.default_rng(seed)
+    hops = int(rng.integers(4, 7))
+    drive = rng.integers(2, 6, hops) if night else rng.integers(1, 4, hops)
+    stay = np.where(rng.random(hops + 1) < 0.7, NO_LIMIT, 0)
+    if night and not stay[1:-1].any():
+        stay[len(stay) // 2] = NO_LIMIT
+    node_at = np.flatnonzero(rng.random(hops + 1) < 0.7)
+    if len(node_at) < 2:
+        node_at = np.array([0, hops])
+    total = int(drive.sum())
+    nodes = len(node_at)
+    tau = np.concatenate([[0], np.cumsum(drive)])[node_at]
+    platoon = 0.6 * (tau - tau[0])
+    shape = (members, nodes)
+    approach = rng.integers(0, 7, shape)
+    onward = rng.integers(0, 7, shape)
+    alone_s = rng.integers(8, 14, members)
+    closed = rng.random(shape) < 0.1
+    approach = np.where(closed, NEVER_S, approach)
+    entry = np.where(closed, np.inf, approach * rng.uniform(0.4, 1.1, shape))
+    leave = onward * rng.uniform(0.4, 1.1, shape)
+
+    def state():
+        today = int(rng.integers(0, 6)) if rng.random() < 0.6 else 0
+        broken = min(today, int(rng.integers(0, 5)))
+        duty = None if today == 0 and rng.random() < 0.5 else today + int(rng.integers(0, 5))
+        return DriverState(
+            driven_since_break_s=broken, first_part_taken=bool(broken and rng.random() < 0.4),
+            driven_today_s=today, duty_s=duty, long_days_used=int(rng.integers(0, 2)),
+            reduced_rests_used=int(rng.integers(0, 2)),
+        )  # fmt: skip
+
+    windows = []
+    for k in range(members):
+        begin = int(rng.integers(-4, 10))
+        lasts = int(alone_s[k]) + int(rng.integers(0, 16))
+        latest = begin + int(rng.integers(0, 12))
+        windows.append(Span(begin, latest, begin + lasts))
+    rules = [VehicleRules(limits, state(), one.earliest_s) for one in windows]
+    standing = int(rng.integers(10, 17)) if night else int(rng.integers(3, 10))
+    begin = int(rng.integers(0, 4))
+    window = Span(begin, begin + int(rng.integers(0, 9)), begin + total + standing)
+    started = DriverState() if night or rng.random() < 0.5 else state()
+    star = StarTimes(
+        road=road_of(drive, stay), node_at=node_at, window=window,
+        rules=VehicleRules(limits, started, begin), approach_s=approach, onward_s=onward,
+        entry=entry, leave=leave, platoon=np.array([platoon] * members), length_m=tau * 20.0,
+        alone=alone_s * 1.0, alone_s=alone_s, windows=tuple(windows), member_rules=tuple(rules),
+        relief=relief, master_alone=float(total), gain=np.zeros(nodes - 1),
+    )  # fmt: skip
+    ways = [
+        [
+            [None if one >= NEVER_S else cut(rng, int(one), everywhere) for one in row]
+            for row in table
+        ]
+        for table in (approach, onward)
+    ]
+    alone = [cut(rng, int(one), everywhere) for one in alone_s]
+    return Drawn(star, *ways, alone)
+
+
+def all_stops(star, rests):
+    """Every set of stops that a law's lengths allow, with no regard to whether they are legal."""
+    limits = star.rules.limits
+    lengths = {limits.break_s, limits.rest_s}
+    if limits.reduced_rests:
+        lengths.add(limits.reduced_rest_s)
+    if limits.parts_s:
+        lengths |= set(limits.parts_s)
+    shortest = limits.reduced_rest_s if limits.reduced_rests else limits.rest_s
+    places = [k for k in range(1, star.road.hops) if star.road.stay_s[k] > 0]
+    for count in range(len(places) + 1):
+        for chosen in itertools.combinations(places, count):
+            for held in itertools.product(sorted(lengths), repeat=count):
+                if sum(one >= shortest for one in held) <= rests:
+                    yield tuple(zip(chosen, map(int, held), strict=True))
