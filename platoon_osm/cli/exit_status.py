@@ -1,7 +1,8 @@
 """How a command ends: with 0; with 1 if there is no plan as asked; with 2 if the input is wrong.
 
-Whatever went wrong is said in one line. There is no plan as asked where a trip has no route, or
-must be late even alone; in the latter case what was planned is written all the same.
+Whatever went wrong is said in one line. There is no plan as asked where a trip has no route, must
+be late even alone, or cannot be driven within the rules asked for; where there is a route, what was
+planned is written all the same.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from ..leftovers import remove_all
 if TYPE_CHECKING:
     from ..plans.plan import Plan
 
-__all__ = ["NAME", "UNMET", "end_if_late", "status_of", "tell"]
+__all__ = ["NAME", "UNMET", "end_if_unmet", "status_of", "tell"]
 
 NAME = "platoon-osm"
 
@@ -39,8 +40,8 @@ def status_of(run: Callable[[], None]) -> int:
     Returns
     -------
     int
-        0; 1 when a trip has no route or must be late; 2 when the input is wrong or somebody
-        interrupted it.
+        0; 1 when a trip has no route, must be late or cannot be within the law; 2 when the input
+        is wrong or somebody interrupted it.
     """
     try:
         with ended_by_signals():
@@ -70,8 +71,8 @@ def status_of(run: Callable[[], None]) -> int:
     return 0
 
 
-def end_if_late(plans: Iterable[Plan]) -> None:
-    """Say who is late and end with `UNMET`, once all that was asked for is written.
+def end_if_unmet(plans: Iterable[Plan]) -> None:
+    """Say who is late or not within the law and end with `UNMET`, once all is written.
 
     Parameters
     ----------
@@ -81,18 +82,14 @@ def end_if_late(plans: Iterable[Plan]) -> None:
     Raises
     ------
     Exit
-        Somebody must be late.
+        Somebody must be late, or cannot keep to the driving rules.
     """
-    late = [
-        remark
-        for plan in plans
-        if plan.timetable is not None and not plan.timetable.feasible
-        for remark in plan.remarks
-        if remark.startswith("not feasible in time")
-    ]
-    for remark in dict.fromkeys(late):
+    from ..plans.lateness import NOT_FEASIBLE
+
+    unmet = [remark for plan in plans for remark in plan.remarks if remark.startswith(NOT_FEASIBLE)]
+    for remark in dict.fromkeys(unmet):
         tell(remark)
-    if late:
+    if unmet:
         raise click.exceptions.Exit(UNMET)
 
 

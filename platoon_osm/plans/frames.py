@@ -7,7 +7,10 @@ from datetime import timedelta
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ScenarioError, brief
+from .law_lines import place_text
+from .pauses import Pause
 from .plan import Plan
+from .standing import standing
 
 if TYPE_CHECKING:
     import pandas
@@ -24,9 +27,10 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
     ----------
     plan : Plan
         Any.
-    what : {"vehicles", "stretches", "points", "timetable"}
+    what : {"vehicles", "stretches", "points", "timetable", "pauses"}
         One row for each vehicle; for each vehicle on each stretch of one company; for each start,
-        merge, separation and destination; or for each vehicle on each stretch, with its times.
+        merge, separation and destination; for each vehicle on each stretch, with its times; or for
+        each time that a vehicle stands on its way.
 
     Returns
     -------
@@ -37,15 +41,16 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
     Raises
     ------
     ScenarioError
-        Another table, or the timetable of a plan without times.
+        Another table, or the timetable or pauses of a plan without times.
     """
     import pandas as pd
 
     if not isinstance(what, str) or what not in FRAMES:
         raise ScenarioError(f"frame {brief(what)} is unknown; use one of {', '.join(FRAMES)}")
-    if what == "timetable" and plan.timetable is None:
+    if what in TIMED and plan.timetable is None:
         raise ScenarioError("frame: the plan has no times; give a trip earliest_departure, say")
-    return pd.DataFrame(list(FRAMES[what](plan)))
+    rows = list(FRAMES[what](plan))
+    return pd.DataFrame(rows, columns=None if rows else TIMED.get(what))
 
 
 def _cost(plan: Plan) -> str:
@@ -125,23 +130,66 @@ def _timetable(plan: Plan) -> Iterator[Row]:
     start = plan.timetable.clock.start
     for one, times, way in zip(plan.vehicles, plan.timetable.vehicles, plan.ways, strict=True):
         spans = zip(one.legs, times.legs, times.waits, way, strict=True)
+        stands = standing(times)
         for number, (leg, (begin, end), wait, stretch) in enumerate(spans, 1):
+            before = [pause for pause in stands if pause.before == number - 1]
+            places = (place_text(pause.place) for pause in before if pause.place)
             yield {
                 "vehicle": one.vehicle,
                 "leg": number,
                 "stretch": stretch,
                 "role": leg.role,
                 "wait_before_min": wait / 60,
+                "pause_purposes": ", ".join(dict.fromkeys(map(_purposes, before))),
+                "pause_place": ", ".join(dict.fromkeys(places)),
                 "start": start + timedelta(seconds=begin),
                 "end": start + timedelta(seconds=end),
                 "late_min": times.late_s / 60 if number == len(way) else 0.0,
             }
 
 
+def _purposes(pause: Pause) -> str:
+    return ", ".join(pause.purposes)
+
+
+def _pauses(plan: Plan) -> Iterator[Row]:
+    assert plan.timetable is not None
+    start = plan.timetable.clock.start
+    for one, times in zip(plan.vehicles, plan.timetable.vehicles, strict=True):
+        for pause in standing(times):
+            place = pause.place
+            yield {
+                "vehicle": one.vehicle,
+                "before_leg": pause.before + 1,
+                "purpose": pause.purposes[0],
+                "purposes": _purposes(pause),
+                "start": start + timedelta(seconds=pause.start_s),
+                "end": start + timedelta(seconds=pause.end_s),
+                "lasts_min": pause.duration_s / 60,
+                "at_km": sum(leg.length_m for leg in one.legs[: pause.before]) / 1000,
+                "place": place.name if place else "",
+                "place_kind": place.kind if place else "",
+                "lon_deg": place.lon if place else None,
+                "lat_deg": place.lat if place else None,
+                "beside_km": place.beside_m / 1000 if place else None,
+                "capacity": place.capacity if place else None,
+            }
+
+
+TIMED = {
+    "timetable": None,
+    "pauses": [
+        "vehicle", "before_leg", "purpose", "purposes", "start", "end", "lasts_min", "at_km",
+        "place", "place_kind", "lon_deg", "lat_deg", "beside_km", "capacity",
+    ],
+}  # fmt: skip
+"""Tables of plans with times, and the columns of those that may have no rows."""
+
 FRAMES = {
     "vehicles": _vehicles,
     "stretches": _stretches,
     "points": _points,
     "timetable": _timetable,
+    "pauses": _pauses,
 }
 """What a plan can be shown as, by name."""

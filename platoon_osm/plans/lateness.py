@@ -11,7 +11,17 @@ from .plan import Plan
 from .text_table import listed
 from .timetable import LATE_S, VehicleTimes
 
-__all__ = ["Lateness", "Moments", "late_alone_s", "status_lines", "who_is_late"]
+__all__ = [
+    "NOT_FEASIBLE", "NOT_IN_TIME", "NOT_LAWFUL", "Lateness", "Moments", "late_alone_s",
+    "status_lines", "who_is_late",
+]  # fmt: skip
+
+NOT_FEASIBLE = "not feasible"
+"""Begins the remarks of plans that cannot be as they were asked for."""
+NOT_IN_TIME = f"{NOT_FEASIBLE} in time"
+"""Begins those on who is late."""
+NOT_LAWFUL = f"{NOT_FEASIBLE} within the law"
+"""Begins those on who cannot keep to the driving rules."""
 
 
 class Moments(Protocol):

@@ -8,18 +8,20 @@ from ..shown_text import fitted
 from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
 from .credits import credits_of
-from .lateness import status_lines
+from .lateness import NOT_FEASIBLE, NOT_IN_TIME, status_lines
+from .law_lines import law_lines
 from .leading import leading_text
 from .plan import Plan
 from .proof_sentence import proof_sentence
 from .records import Line
+from .standing import rested_s, waited_s
 from .text_table import MOST_ROWS, listed, named, table_lines, width_of
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan, by_profile
 
 __all__ = ["kilometre_equivalents", "summary"]
 
-RIGHT = frozenset([*range(4, 11), 13])
+RIGHT = frozenset([*range(4, 11), 13, 14])
 """Columns of numbers."""
 
 CASE_TITLES = {
@@ -31,7 +33,7 @@ CASE_TITLES = {
 
 
 def summary(plan: Plan) -> str:
-    """Return the plan as text: who is late, one row a vehicle, totals, points and what is proved.
+    """Return the plan as text: who is late, a row a vehicle, totals, points and what is proved.
 
     Parameters
     ----------
@@ -48,7 +50,7 @@ def summary(plan: Plan) -> str:
 
 def _heading(plan: Plan) -> list[str]:
     case = f"Case {plan.case}: {CASE_TITLES.get(plan.case, 'a plan')}"
-    status = [f"{line}." for line in status_lines(plan)]
+    status = [f"{line}." for line in (*status_lines(plan), *map(fitted, _not_lawful(plan)))]
     if plan.unit != "m":
         return [f"{case}; costs in {named(plan.unit)}", *status, ""]
     return [
@@ -57,6 +59,19 @@ def _heading(plan: Plan) -> list[str]:
         *status,
         "",
     ]
+
+
+def _not_lawful(plan: Plan) -> list[str]:
+    """Return the remarks on who cannot be within the law; lateness is told in figures."""
+    return [
+        remark
+        for remark in plan.remarks
+        if remark.startswith(NOT_FEASIBLE) and not remark.startswith(NOT_IN_TIME)
+    ]
+
+
+def _law(plan: Plan) -> list[str]:
+    return _first(law_lines(plan))
 
 
 def _table(plan: Plan) -> list[str]:
@@ -74,12 +89,13 @@ def _table(plan: Plan) -> list[str]:
         rows.append([f"and {len(rest):,} more", "", "", "", *_numbers(plan, rest)])
     rows.append(["total", "", "", "", *_numbers(plan, plan.vehicles)])
     if (timetable := plan.timetable) is not None:
-        header += ["leaves", "arrives", "waits"]
-        times = [_times(timetable, one) for one in timetable.vehicles[:MOST_ROWS]]
+        days = timetable.vehicles
+        under_rules = bool(timetable.rules) or any(map(rested_s, days))
+        header += ["leaves", "arrives", "waits", *(["rests"] if under_rules else [])]
+        times = [_times(timetable, [one], under_rules) for one in days[:MOST_ROWS]]
         if rest:
-            waits = sum(one.waiting_s for one in timetable.vehicles[MOST_ROWS:])
-            times.append(["", "", duration(waits)])
-        times.append(["", "", duration(timetable.waiting_s)])
+            times.append(_times(timetable, days[MOST_ROWS:], under_rules))
+        times.append(_times(timetable, days, under_rules, total=True))
         rows = [row + more for row, more in zip(rows, times, strict=True)]
     lines = table_lines([header, *rows], RIGHT)
     rule = "-" * max(map(width_of, lines))
@@ -141,8 +157,8 @@ def _access_legs(plan: Plan) -> list[str]:
 
 
 def _notes(plan: Plan) -> list[str]:
-    credited = credits_of(plan)
-    return _first([f"Note: {fitted(one)}" for one in plan.remarks if one not in credited])
+    told = {*credits_of(plan), *_not_lawful(plan)}
+    return _first([f"Note: {fitted(one)}" for one in plan.remarks if one not in told])
 
 
 def _credits(plan: Plan) -> list[str]:
@@ -174,9 +190,15 @@ def kilometre_equivalents(plan: Plan, cost: float) -> str:
     return f"{cost / 1000 if plan.unit == 'm' else cost:,.{decimals}f}"
 
 
-def _times(timetable: Timetable, times: VehicleTimes) -> list[str]:
-    leaves, arrives = (timetable.clock.text(at) for at in (times.departure_s, times.arrival_s))
-    return [leaves, arrives, duration(times.waiting_s)]
+def _times(
+    timetable: Timetable, days: Sequence[VehicleTimes], under_rules: bool, total: bool = False
+) -> list[str]:
+    """Return the cells of times, those of several vehicles added up."""
+    cells = ["", ""]
+    if len(days) == 1 and not total:
+        cells = [timetable.clock.text(at) for at in (days[0].departure_s, days[0].arrival_s)]
+    cells.append(duration(sum(map(waited_s, days))))
+    return [*cells, duration(sum(map(rested_s, days)))] if under_rules else cells
 
 
 def _events(
@@ -231,7 +253,7 @@ def _proof(plan: Plan) -> list[str]:
 
 
 PARTS: tuple[Callable[[Plan], list[str]], ...] = (
-    _heading, _table, _alone, _profiles, _closed, _day, _points, _access_legs, _leading, _proof,
-    _notes, _credits,
+    _heading, _table, _alone, _profiles, _closed, _day, _law, _points, _access_legs, _leading,
+    _proof, _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""

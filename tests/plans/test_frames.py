@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from random_networks import network, problems
 
 import platoon_osm as po
-from platoon_osm.plans.frames import FRAMES
+from platoon_osm.plans.frames import FRAMES, TIMED
 
 TRIPS = [po.Trip("A", 0, 3, datetime(2026, 3, 2, 6)), po.Trip("B", 4, 5)]
 
@@ -57,8 +57,9 @@ def test_what_a_plan_cannot_be_shown_as(plan):
         plan.to_frame("trucks")
     net = network([0], [1], [10e3])
     untimed = po.plan_joint(net, po.paper_weights(net), [po.Trip("A", 0, 1)], "C")
-    with pytest.raises(po.ScenarioError, match="no times"):
-        untimed.to_frame("timetable")
+    for what in ("timetable", "pauses"):
+        with pytest.raises(po.ScenarioError, match="no times"):
+            untimed.to_frame(what)
 
 
 @settings(max_examples=25, deadline=None)
@@ -70,8 +71,9 @@ def test_frames_of_any_plan(problem):
     except po.PlatoonError:
         return
     for what in FRAMES:
-        if what != "timetable" or plan.timetable is not None:
-            assert len(plan.to_frame(what)) >= len(trips)
+        if what not in TIMED or plan.timetable is not None:
+            least = 0 if what == "pauses" else len(trips)
+            assert len(plan.to_frame(what)) >= least
     assert plan.to_frame()[f"cost_{plan.unit.replace('m', 'm_eq')}"].sum() == pytest.approx(
         plan.joint_cost
     )

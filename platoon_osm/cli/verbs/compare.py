@@ -14,7 +14,7 @@ import click
 from ...driving.rules import RULES
 from ...errors import ScenarioError, brief
 from ...output_paths import PAGES, Output, check_outputs
-from ..exit_status import end_if_late
+from ..exit_status import end_if_unmet
 from ..language import language_options
 from ..options import FILE, output_option, rules_named
 from ..outputs import existing_files, speaker, write_all
@@ -103,7 +103,7 @@ def verb(
         say(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
     if output.path is not None:
         say(f"\nWritten: {output.path}")
-    end_if_late(plans)
+    end_if_unmet(plans)
 
 
 def _baseline(asked: str | None, titles: list[str]) -> int:

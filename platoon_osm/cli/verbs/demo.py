@@ -10,7 +10,7 @@ import click
 
 from ...driving.rules import RULES
 from ...output_paths import Output, check_outputs
-from ..exit_status import end_if_late
+from ..exit_status import end_if_unmet
 from ..language import language_options
 from ..options import rules_named
 from ..outputs import output_kind, write_all
@@ -78,4 +78,4 @@ def verb(output: Output, network: str, rules: str) -> None:
     for title, plan in plans:
         click.echo(f"\n{title}\n{'=' * len(title)}\n{plan.summary()}")
     click.echo(f"\nMap: {files['html']}\nGIS: {files['gpkg']}")
-    end_if_late([plan for _, plan in plans])
+    end_if_unmet([plan for _, plan in plans])

@@ -14,7 +14,7 @@ from ...driving.rules import RULES
 from ...output_paths import check_outputs
 from ...report.exporters import EXPORTERS, Exporter
 from ..asked import asked_options, asked_scenario
-from ..exit_status import end_if_late
+from ..exit_status import end_if_unmet
 from ..language import language_options
 from ..options import FILE, SectionOption, Sections
 from ..outputs import existing_files, output_kind, speaker, tell_written, write_all
@@ -105,7 +105,7 @@ def verb(scenario: Path | None, **given: Any) -> None:
     say = speaker(outputs)
     say(plan.summary())
     tell_written(outputs, say)
-    end_if_late([plan])
+    end_if_unmet([plan])
 
 
 def _write(plan: Plan, net: RoadNetwork, title: str, exporter: Exporter, path: Path) -> None:
