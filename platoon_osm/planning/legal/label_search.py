@@ -29,6 +29,7 @@ from .numbers import (
     FIRST,
     LENGTHS,
     NONE,
+    PIECE,
     REDUCED,
     SECOND,
     WEEKLY,
@@ -80,7 +81,7 @@ def allowed(kind: int, a: IntArray, p: IntArray) -> bool:
     """
     if kind == FIRST:
         # It lies within the driving that the second ends, and not before it.
-        return bool(a[BROKEN] > 0 and (a[PART] == 0 or p[WORK] < NO_LIMIT))
+        return bool(a[BROKEN] > 0 and a[PART] == 0)
     if kind == SECOND:
         return bool(a[PART] == 1)
     if kind == BREAK:
@@ -88,6 +89,8 @@ def allowed(kind: int, a: IntArray, p: IntArray) -> bool:
             (a[BROKEN] > 0 or a[BESIDE] < p[BESIDE_LENGTH])
             and (a[PART] == 0 or p[BREAK] < p[SECOND])
         )
+    if kind == PIECE:
+        return bool(a[WORKED] > 0)
     if kind == CHANGE:
         return bool(a[BESIDE] >= p[BESIDE_LENGTH])
     if kind == REDUCED:
@@ -147,9 +150,18 @@ def leave(
         out[column] = a[column]
     wait = leaves - ready
     duty_slack = a[DUTY_MOST] - (begins - a[DUTY])
+    gone_slack = a[GONE_MOST] - (begins - a[GONE])
+    if kind in (REDUCED, DAILY, WEEKLY) and a[DUTY_MOST] < FAR:
+        # A duty period that began before the trip does not move with the departure: the rest still
+        # has to begin in time.
+        full = kind == DAILY or (kind == WEEKLY and a[REDUCED_USED] >= p[MOST_REDUCED])
+        window = p[WINDOW] if full else p[LONG_WINDOW]
+        gone_slack = min(gone_slack, duty_slack + window - a[DUTY])
     duty_move = min(wait, duty_slack)
-    gone_move = min(wait, a[GONE_MOST] - (begins - a[GONE]))
-    stood = leaves - begins - duty_move
+    gone_move = min(wait, gone_slack)
+    move = max(duty_move, gone_move)
+    slack = max(duty_slack, gone_slack) - move
+    stood = leaves - begins - move
     ends = leaves
     if stood > stay:
         if forced == 0:
@@ -166,7 +178,10 @@ def leave(
     out[TIME] = leaves
     out[GONE] = a[GONE] + (leaves - begins) - gone_move
     if room < NO_LIMIT:
-        out[GONE_MOST] = min(a[GONE_MOST], leaves - out[GONE] + room)
+        gone_slack = min(gone_slack - gone_move, room)
+        out[GONE_MOST] = leaves - out[GONE] + gone_slack
+    else:
+        out[GONE_MOST] = min(a[GONE_MOST], begins - a[GONE] + gone_slack)
     if length >= p[PIECE_LENGTH]:
         out[WORKED] = 0
     if kind == FIRST:
@@ -193,7 +208,7 @@ def leave(
         out[BESIDE] = p[BESIDE_LENGTH]
         out[DUTY] = leaves - ends
         longer = stay - (stood if stood < stay else stay)
-        slack = min(duty_slack - duty_move + longer, room)
+        slack = min(slack + longer, room)
         out[DUTY_MOST] = ends + slack if slack < FAR else NO_LIMIT
         week = (ends - monday) // WEEK_S
         if week != a[DUTY_WEEK]:
@@ -215,7 +230,9 @@ def leave(
     return True
 
 
-def _drive(a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, weeks: int) -> bool:
+def _drive(
+    a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, weeks: int, weekly: int
+) -> bool:
     """Let a label drive a hop; return whether it may."""
     if a[BROKEN] + clock > p[SPELL] or a[WORKED] + seconds > p[WORK]:
         return False
@@ -230,6 +247,15 @@ def _drive(a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, week
     if ends > a[WEEKLY_END] + p[WEEKLY_DUE]:
         return False
     began = begins - a[DUTY]
+    # A duty period that began before the trip does not move with the departure.
+    limit = p[LONG_WINDOW] if a[REDUCED_USED] < p[MOST_REDUCED] else p[WINDOW]
+    gone = begins - a[GONE]
+    if a[DUTY_MOST] < FAR:
+        a[GONE_MOST] = min(a[GONE_MOST], gone + a[DUTY_MOST] - began + limit - duty)
+    if weekly == 1:
+        due = a[WEEKLY_END] + p[WEEKLY_DUE] - ends
+        a[DUTY_MOST] = min(a[DUTY_MOST], began + due)
+        a[GONE_MOST] = min(a[GONE_MOST], gone + due)
     if today > p[DAY] and a[TODAY] <= p[DAY]:
         a[LONG_DAYS] += 1
         if a[LONG_DAYS] > p[MOST_LONG]:
@@ -238,9 +264,10 @@ def _drive(a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, week
         left = monday + (a[DUTY_WEEK] + 1) * WEEK_S - 1 - began
         if left >= 0:
             a[DUTY_MOST] = min(a[DUTY_MOST], began + left)
-            a[GONE_MOST] = min(a[GONE_MOST], begins - a[GONE] + left)
+            a[GONE_MOST] = min(a[GONE_MOST], gone + left)
     if weeks == 1:
         before = clock
+        left = 0
         if p[CALENDAR] == 1:
             week = (begins - monday) // WEEK_S
             if week > a[WEEK]:
@@ -255,7 +282,7 @@ def _drive(a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, week
             # What ends before Monday is not moved beyond it.
             slack = max(0, left - seconds)
             a[DUTY_MOST] = min(a[DUTY_MOST], began + slack)
-            a[GONE_MOST] = min(a[GONE_MOST], begins - a[GONE] + slack)
+            a[GONE_MOST] = min(a[GONE_MOST], gone + slack)
         a[WEEK_DRIVEN] += before
         if a[WEEK_DRIVEN] > p[MOST_WEEK] or a[WEEK_DRIVEN] + a[LAST_WEEK] > p[FORTNIGHT]:
             return False
@@ -493,11 +520,16 @@ def search(
                             continue
                         if opens > latest:
                             continue
+                        # Who can rest meanwhile does, unless it left later instead.
+                        spare = opens - a[TIME] - p[DAILY]
+                        if late:
+                            spare -= a[GONE_MOST] - (a[TIME] - a[GONE])
+                        rests = kind in (DAILY, WEEKLY)
                         if (
-                            opening > 0 and opens - a[TIME] >= p[DAILY] and p[DAILY] <= stay_s[k]
-                            and kind != DAILY and kind != WEEKLY and allowed(DAILY, a, p)
+                            opening > 0 and spare >= 0 and p[DAILY] <= stay_s[k]
+                            and not rests and allowed(DAILY, a, p)
                         ):  # fmt: skip
-                            continue  # a daily rest is better whatever follows
+                            continue
                         done = leave(
                             kind, a[TIME], opens, closes, stay_s[k], forced, a, p, monday,
                             fixed_weekly_end, out,
@@ -508,7 +540,7 @@ def search(
                         found_info[count, KIND] = kind
                         found_info[count, OPENS] = opens
                         found_info[count, CLOSES] = closes
-                    if not _drive(out, drive_s[k], clock_s[k], p, monday, weeks):
+                    if not _drive(out, drive_s[k], clock_s[k], p, monday, weeks, weekly):
                         continue
                     bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p)
                     if out[TIME] + bound > latest:

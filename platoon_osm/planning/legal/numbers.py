@@ -58,7 +58,7 @@ def numbers_of(limits: Limits) -> IntArray:
         _up(limits.rest_s) if days else NO_LIMIT,
         _up(limits.weekly_rest_s), _up(limits.change_s) if two else NO_LIMIT,
         max(whole, _up(limits.change_s)) if two else NO_LIMIT,
-        pause if works and pause not in (first, whole) else NO_LIMIT,
+        pause if works else NO_LIMIT,
         _down(limits.spell_s), _down(limits.work_spell_s) if works else NO_LIMIT, pause,
         _down(limits.day_s / share), _down(limits.long_day_s / share), limits.long_days,
         _down(limits.window_s), _down(limits.long_window_s), limits.reduced_rests,

@@ -201,8 +201,8 @@ class _Search:
         leaves = np.minimum(ends[:, GONE_MOST], ends[:, TIME] - ends[:, GONE] + spare)
         order = np.lexsort((ends[:, GONE], -leaves))
         for label in order:
-            choice = chosen(info, low + int(label), self.road.hops)
-            trip = timed(self.road, choice, self.numbers, arrival_s, shortest=aim == "leave")
+            choice = chosen(labels, info, low + int(label), self.road.hops, arrival_s)
+            trip = timed(self.road, choice, self.numbers, arrival_s, aim == "leave", not self.weeks)
             if trip is not None:
                 return trip
         return None

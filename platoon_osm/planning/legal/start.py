@@ -153,13 +153,16 @@ def _as_of(state: DriverState, at_s: int, numbers: IntArray, monday_s: int) -> I
     label[TIME] = label[GONE_MOST] = at_s
     label[BROKEN] = label[WORKED] = broken
     label[PART] = state.first_part_taken
-    label[TODAY] = label[OTHER_TODAY] = math.ceil(state.driven_today_s)
+    label[TODAY] = math.ceil(state.driven_today_s)
     label[DUTY] = duty
     label[DUTY_MOST] = at_s - duty
-    label[LONG_DAYS] = label[OTHER_LONG_DAYS] = state.long_days_used
+    label[LONG_DAYS] = state.long_days_used
     label[REDUCED_USED] = state.reduced_rests_used
-    label[WEEK_DRIVEN] = label[OTHER_WEEK] = math.ceil(state.driven_this_week_s)
-    label[LAST_WEEK] = label[OTHER_LAST_WEEK] = math.ceil(state.driven_last_week_s)
+    label[WEEK_DRIVEN] = math.ceil(state.driven_this_week_s)
+    label[LAST_WEEK] = math.ceil(state.driven_last_week_s)
+    if state.drivers == 2:
+        others = [OTHER_TODAY, OTHER_LONG_DAYS, OTHER_WEEK, OTHER_LAST_WEEK]
+        label[others] = label[[TODAY, LONG_DAYS, WEEK_DRIVEN, LAST_WEEK]]
     label[WEEK] = (at_s - monday_s) // WEEK_S
     label[DUTY_WEEK] = (at_s - duty - monday_s) // WEEK_S
     label[BESIDE] = 0 if broken else numbers[BESIDE_LENGTH]

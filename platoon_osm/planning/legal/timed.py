@@ -11,7 +11,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .label_search import CLOSES, INFO, KIND, OPENS, PARENT
+from .label_search import (
+    CLOSES,
+    DUTY_MOST,
+    GONE,
+    GONE_MOST,
+    INFO,
+    KIND,
+    OPENS,
+    PARENT,
+    TIME,
+)  # fmt: skip
 from .numbers import (
     BREAK,
     CHANGE,
@@ -24,7 +34,7 @@ from .numbers import (
     SECOND,
     WEEKLY,
 )  # fmt: skip
-from .road import FREE, IntArray, LegalTrip, PlannedPause, Road
+from .road import FREE, NO_LIMIT, IntArray, LegalTrip, PlannedPause, Road
 
 __all__ = ["Choice", "chosen", "timed"]
 
@@ -45,24 +55,37 @@ class Choice:
         The kind of its pause.
     opens_s, closes_s : int64 array, (n,)
         Within which moments it leaves [s].
+    rested_s : int64 array, (n,)
+        When it leaves at the latest where it rests [s].
+    departure_s : int
+        When it leaves the origin at the latest [s].
     """
 
     kinds: IntArray
     opens_s: IntArray
     closes_s: IntArray
+    rested_s: IntArray
+    departure_s: int
 
 
-def chosen(info: IntArray, label: int, hops: int) -> Choice:
+RESTS = (REDUCED, DAILY, WEEKLY)
+
+
+def chosen(labels: IntArray, info: IntArray, label: int, hops: int, arrival_s: int) -> Choice:
     """Return the choices that led to a label.
 
     Parameters
     ----------
+    labels : int64 array, (m, COLUMNS)
+        Of the search.
     info : int64 array, (m, INFO)
         Of the search.
     label : int
         One of the destination's.
     hops : int
         Of the road.
+    arrival_s : int
+        When it has to arrive [s].
 
     Returns
     -------
@@ -70,14 +93,21 @@ def chosen(info: IntArray, label: int, hops: int) -> Choice:
         Of the points before.
     """
     rows = np.zeros((hops, INFO), dtype=np.int64)
+    rested = np.full(hops, NO_LIMIT, dtype=np.int64)
+    end = labels[label]
+    leaves = min(end[GONE_MOST], end[TIME] - end[GONE] + arrival_s - end[TIME])
+    most = int(end[DUTY_MOST])
     for hop in range(hops - 1, -1, -1):
         rows[hop] = info[label]
         label = int(info[label, PARENT])
-    return Choice(rows[:, KIND], rows[:, OPENS], rows[:, CLOSES])
+        if rows[hop, KIND] in RESTS:
+            rested[hop] = most
+            most = int(labels[label, DUTY_MOST])
+    return Choice(rows[:, KIND], rows[:, OPENS], rows[:, CLOSES], rested, int(leaves))
 
 
 def timed(
-    road: Road, choice: Choice, numbers: IntArray, arrival_s: int, shortest: bool
+    road: Road, choice: Choice, numbers: IntArray, arrival_s: int, shortest: bool, prolong: bool
 ) -> LegalTrip | None:
     """Return the trip that arrives by a moment and leaves as late as possible.
 
@@ -93,6 +123,8 @@ def timed(
         When it has to arrive [s].
     shortest : bool
         Whether it arrives earlier if that is possible with the same departure.
+    prolong : bool
+        Whether breaks are prolonged too, and not only rests.
 
     Returns
     -------
@@ -102,7 +134,7 @@ def timed(
     n = road.hops
     lengths = numbers[choice.kinds]
     latest = _latest(road, choice, lengths, arrival_s)
-    leaves = int(latest[0])
+    leaves = latest[0] = min(int(latest[0]), choice.departure_s)
     if shortest:
         at = leaves
         for hop in range(n):
@@ -119,8 +151,9 @@ def timed(
     for hop in range(1, n):
         kind = int(choice.kinds[hop])
         leave = max(at + int(lengths[hop]), int(choice.opens_s[hop]))
-        if kind != NONE:
-            leave = max(leave, min(int(latest[hop]), at + int(road.stay_s[hop])))
+        if kind in RESTS or (kind != NONE and prolong):
+            last = min(int(latest[hop]), int(choice.rested_s[hop]))
+            leave = max(leave, min(last, at + int(road.stay_s[hop])))
         if leave > choice.closes_s[hop]:
             return None
         if leave > at:
@@ -131,7 +164,7 @@ def timed(
             seat = 1 - seat
         drives[hop] = seat
         at = leave + int(road.drive_s[hop])
-    two = numbers[CHANGE] < numbers[WEEKLY] and numbers[CHANGE] < 2**60
+    two = numbers[CHANGE] < numbers[WEEKLY] and numbers[CHANGE] < NO_LIMIT
     return LegalTrip(leaves, at, tuple(pauses), tuple(drives) if two else ())
 
 
