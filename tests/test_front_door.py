@@ -54,7 +54,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "Trip": (po.Trip, {
             "vehicle": "A", "origin": "Torino", "destination": "Trieste",
             "earliest_departure": None, "latest_departure": None, "latest_arrival": None,
-            "flexibility_min": None,
+            "flexibility_min": None, "driver": {"driven_today_h": 2},
         }),
         "Access": (po.Access, _defaults(po.Access())),
         "Place": (po.Place, {"at": "Torino", "osmid": None, "label": "home"}),
