@@ -177,20 +177,22 @@ class Plan:
         """
         return offered("to_frame")(self, what)  # type: ignore[no-any-return]
 
-    def to_geodataframe(self, net: RoadNetwork) -> geopandas.GeoDataFrame:
-        """Return the legs of all vehicles as lines; as `platoon_osm.to_geodataframe`.
+    def to_geodataframe(self, net: RoadNetwork, what: str = "legs") -> geopandas.GeoDataFrame:
+        """Return legs as lines, or pauses as points; as `platoon_osm.to_geodataframe`.
 
         Parameters
         ----------
         net : RoadNetwork
             The network the plan was made on.
+        what : {"legs", "pauses"}
+            One row for each.
 
         Returns
         -------
         geopandas.GeoDataFrame
-            In EPSG:4326, one leg a row.
+            In EPSG:4326.
         """
-        return offered("to_geodataframe")(self, net)
+        return offered("to_geodataframe")(self, net, what)
 
     def __repr__(self) -> str:
         """Return the plan in one line, however many vehicles there are."""

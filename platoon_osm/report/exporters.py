@@ -125,6 +125,13 @@ def _csv(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = Non
     write_csv(plan, net, path)
 
 
+def _pauses(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .exports.tracks import write_csv
+
+    del title
+    write_csv(plan, net, path, "pauses")
+
+
 def _flows(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .pages.flows import write_flows
 
@@ -166,6 +173,7 @@ EXPORTERS: Registry[Exporter] = Registry(
         Exporter("gpkg", "GeoPackage to write", ".gpkg", _gpkg),
         Exporter("json", "plan as JSON to write", ".json", _json, is_text=True),
         Exporter("csv", "legs as CSV to write", ".csv", _csv, is_text=True),
+        Exporter("pauses", "breaks and waits as CSV to write", ".csv", _pauses, is_text=True),
         Exporter("flows", "page for many vehicles", ".html", _flows, also=HTM, is_text=True),
         Exporter(
             "gpx",

@@ -17,6 +17,7 @@ def test_the_exporters_and_their_order():
         "gpkg",
         "json",
         "csv",
+        "pauses",
         "flows",
         "gpx",
         "sheets",
@@ -35,7 +36,7 @@ def test_the_exporters_and_their_order():
 
 
 @pytest.mark.parametrize(
-    "name", ["html", "pages", "gpkg", "json", "csv", "flows", "gpx", "sheets", "drivers"]
+    "name", ["html", "pages", "gpkg", "json", "csv", "pauses", "flows", "gpx", "sheets", "drivers"]
 )
 def test_each_writes_what_its_function_writes(name, plan, net, tmp_path):
     exporter = EXPORTERS.find(name)

@@ -137,7 +137,7 @@ def test_halves_of_characters_are_written_alike(tmp_path):
                 assert file.execute("SELECT vehicle FROM routes").fetchone() == (f"A {whole}",)
             continue
         text = path.read_bytes().decode("utf-8")
-        assert whole in text
+        assert whole in text or name == "pauses"  # a plan without times has none
         if name == "json":
             assert json.loads(text)["trips"][0]["vehicle"] == f"A {whole}"
             assert po.Plan.read_json(path).vehicles[0].vehicle == f"A {whole}"

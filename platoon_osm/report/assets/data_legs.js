@@ -35,6 +35,13 @@ function lineOf(parts) {
     i === 0 || lat !== points[i - 1][0] || lon !== points[i - 1][1]);
 }
 
+/* Minutes of breaks and rests in a gap between two legs. */
+function breaksOf(index, begin, end) {
+  const within = plan.events.filter((one) => (one.kind === "break" || one.kind === "rest")
+    && one.vehicles.includes(index) && one.at_s > begin - 0.2 && one.until_s < end + 0.2);
+  return within.reduce((sum, one) => sum + (one.until_s - one.at_s) / 60, 0);
+}
+
 function legsOf(index) {
   const vehicle = plan.vehicles[index];
   return vehicle.way.map(([kind, at], number) => {
@@ -65,6 +72,7 @@ function legsOf(index) {
         attribution: credits,
         ...(span && {
           start_time: clock.iso(span[0]), end_time: clock.iso(span[1]), waiting_s: span[0] - before,
+          break_before_min: breaksOf(index, before, span[0]),
         }),
       },
     };

@@ -22,7 +22,8 @@ from ..document.wording import plan_unit
 from ..drawing.vehicle_styles import vehicle_styles
 from .drawn_lines import drawn_edges, drawn_line, line_layer
 from .geopackage import Layer, changed_at, write_layers
-from .legs import leg_columns, leg_rows
+from .legs import check_table, leg_columns, leg_rows
+from .pauses import pause_columns, pause_rows
 from .qgis_styles import STYLES, style_rows
 
 if TYPE_CHECKING:
@@ -33,14 +34,19 @@ __all__ = ["to_geodataframe", "write_geopackage"]
 CRS = "EPSG:4326"
 
 
-def to_geodataframe(plan: Plan, net: RoadNetwork) -> geopandas.GeoDataFrame:
-    """Return the legs of all vehicles, one a row, as lines in EPSG:4326.
+def to_geodataframe(plan: Plan, net: RoadNetwork, what: str = "legs") -> geopandas.GeoDataFrame:
+    """Return the legs of all vehicles as lines, or their pauses as points, in EPSG:4326.
 
     A leg that crosses the antimeridian is cut there into a MultiLineString, as RFC 7946 asks for.
     Columns: vehicle, vehicle_role, leg (from 1), role, partners, origin, destination, roads,
     length_m, time_s, fuel_l, cost, cost_unit, inferred_m, attribution. A plan with times adds
-    start_time and end_time (ISO 8601) and waiting_s, the wait before the leg. Legs without road
-    are left out.
+    start_time and end_time (ISO 8601), waiting_s, how long the vehicle stands before the leg, and
+    break_before_min, how long of that are breaks and rests. Legs without road are left out.
+
+    Pauses are breaks, rests, bans, changes of drivers and waits on the way. Columns: vehicle, leg
+    (that follows), purpose, also (what else it is for), start_time, end_time, minutes, place, kind
+    (of place), parking, beside_m, spaces, with_vehicles, attribution. A plan without times has
+    none.
 
     Parameters
     ----------
@@ -48,17 +54,22 @@ def to_geodataframe(plan: Plan, net: RoadNetwork) -> geopandas.GeoDataFrame:
         Whose legs they are.
     net : RoadNetwork
         The network it was made on.
+    what : {"legs", "pauses"}
+        One row for each.
 
     Returns
     -------
     geopandas.GeoDataFrame
-        Lines with their columns.
+        Shapes with their columns.
 
     Raises
     ------
     ScenarioError
-        A plan of another network.
+        A plan of another network, or an unknown table.
     """
+    check_table(what)
+    if what == "pauses":
+        return _pauses(pause_columns(pause_rows(plan, net)))
     rows = leg_rows(plan, net)
     return _lines_frame(leg_columns(plan, rows), [row.line for row in rows])
 
@@ -67,7 +78,8 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
     """Write a plan as a GeoPackage; it appears whole or not at all, the same bytes each time.
 
     Layers: `routes` (as `to_geodataframe`), `platoons` (stretches of one company), `points`
-    (starts, destinations, merges, separations), `network` (all edges), `about` (a table: network,
+    (starts, destinations, merges, separations), `pauses` (as `to_geodataframe`, of a plan with
+    times), `network` (all edges), `about` (a table: network,
     method, proof, parameters, attribution). `layer_styles` tells QGIS how to show them: as the
     page does.
 
@@ -93,11 +105,14 @@ def write_geopackage(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
     platoons = [stretch for stretch in laid.stretches if stretch.together]
     names = [shown(vehicle.vehicle) for vehicle in plan.vehicles]
     data_of = plan.network.extracted or net.source.extracted
-    styles = style_rows(names, vehicle_styles(names), changed_at(data_of))
+    styles = style_rows(
+        names, vehicle_styles(names), changed_at(data_of), pauses=plan.timetable is not None
+    )
     layers = [
         line_layer("routes", routes),
         line_layer("platoons", _platoons(cut, platoons, names)),
         Layer("points", _points(plan, plan.events, names), "Point"),
+        *_pause_layers(plan, net),
         line_layer("network", _network(net)),
         Layer("about", pd.DataFrame(_about(plan, net), columns=["item", "text"]), None),
         Layer(STYLES, styles, None, key="id"),  # QGIS calls it so
@@ -156,6 +171,31 @@ def _points(plan: Plan, events: Sequence[Event], names: Sequence[str]) -> geopan
             **_time_column(plan, moments),
         },
         geometry=geopandas.points_from_xy(lons, lats, crs=CRS),
+    )
+
+
+def _pause_layers(plan: Plan, net: RoadNetwork) -> list[Layer]:
+    if plan.timetable is None:
+        return []
+    return [Layer("pauses", to_geodataframe(plan, net, "pauses"), "Point")]
+
+
+def _pauses(columns: Mapping[str, Any]) -> geopandas.GeoDataFrame:
+    import geopandas
+    import pandas as pd
+
+    told = {name: values for name, values in columns.items() if name not in ("lon", "lat")}
+    # Of no pauses, too, a column has its kind.
+    typed = {"leg": "int64", "minutes": "float64", "parking": "bool", "beside_m": "float64"}
+    return geopandas.GeoDataFrame(
+        {
+            name: pd.array(values, dtype="Int64")
+            if name == "spaces"
+            else pd.Series(values, dtype=typed.get(name, "object"))
+            for name, values in told.items()
+        },
+        geometry=geopandas.points_from_xy(columns["lon"], columns["lat"], crs=CRS),
+        crs=CRS,
     )
 
 

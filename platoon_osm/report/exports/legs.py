@@ -8,6 +8,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
+from ...errors import ScenarioError, brief
 from ...network.road_network import RoadNetwork
 from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
@@ -16,11 +17,14 @@ from ..document.checks import check_plan
 from ..document.provenance import credits
 from ..document.roads import roads_of
 
-__all__ = ["Cell", "LegRow", "leg_columns", "leg_rows"]
+__all__ = ["TABLES", "Cell", "LegRow", "check_table", "leg_columns", "leg_rows"]
 
 Cell = str | int | float | None
 
-TIMED = ("start_time", "end_time", "waiting_s")
+TABLES = ("legs", "pauses")
+"""What the journeys of a plan are written as: driving, and standing."""
+
+TIMED = ("start_time", "end_time", "waiting_s", "break_before_min")
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +56,9 @@ class LegRow:
     start_time, end_time : str or None
         ISO 8601; None without times.
     waiting_s : float or None
-        How long the vehicle waits before it; None without times.
+        How long the vehicle stands before it, for whatever reason; None without times.
+    break_before_min : float or None
+        How long of that are breaks and rests of driving rules; None without times.
     line : ndarray of float, (k, 2)
         Longitude and latitude of the road it follows [deg].
     """
@@ -75,7 +81,25 @@ class LegRow:
     start_time: str | None
     end_time: str | None
     waiting_s: float | None
+    break_before_min: float | None
     line: NDArray[np.float64]
+
+
+def check_table(what: object) -> None:
+    """Refuse a table that is none.
+
+    Parameters
+    ----------
+    what : object
+        Its name.
+
+    Raises
+    ------
+    ScenarioError
+        Not one of `TABLES`.
+    """
+    if not isinstance(what, str) or what not in TABLES:
+        raise ScenarioError(f"table {brief(what)} is unknown; use one of {', '.join(TABLES)}")
 
 
 def leg_rows(plan: Plan, net: RoadNetwork) -> list[LegRow]:
@@ -108,10 +132,12 @@ def _rows(plan: Plan, net: RoadNetwork) -> Iterator[LegRow]:
         for number, leg in enumerate(vehicle.legs, 1):
             if not leg.edges:
                 continue
-            start = end = waiting = None
+            start = end = waiting = breaks = None
             if plan.timetable is not None and times is not None:
                 start, end = (plan.timetable.clock.iso(at) for at in times.legs[number - 1])
                 waiting = times.waits[number - 1]
+                own = (one for one in times.pauses if one.before == number - 1 and one.is_break)
+                breaks = sum(one.duration_s for one in own) / 60
             yield LegRow(
                 vehicle=shown(vehicle.vehicle),
                 vehicle_role=vehicle.role,
@@ -131,6 +157,7 @@ def _rows(plan: Plan, net: RoadNetwork) -> Iterator[LegRow]:
                 start_time=start,
                 end_time=end,
                 waiting_s=waiting,
+                break_before_min=breaks,
                 line=net.path_shape(leg.edges),
             )
 

@@ -67,6 +67,56 @@ SEPARATION = (
 )
 """The page's own marks; `assets/map.svg.html` has the same."""
 
+
+def _boxed(drawing: str) -> str:
+    return (
+        '<svg xmlns="http://www.w3.org/2000/svg" width="26" height="26" viewBox="-13 -13 26 26">'
+        f'<rect x="-10.5" y="-10.5" width="21" height="21" rx="5" fill="#fff" stroke="{INK}" '
+        f'stroke-width="1.8"/>{drawing}</svg>'
+    )
+
+
+def _lines(path: str, width: float = 1.8) -> str:
+    return (
+        f'<path d="{path}" fill="none" stroke="{INK}" stroke-width="{width}" '
+        'stroke-linecap="round" stroke-linejoin="round"/>'
+    )
+
+
+CUP = _boxed(
+    _lines(
+        "M-6.4 -2.4H3.2V3A3 3 0 0 1 .2 6H-3.4A3 3 0 0 1 -6.4 3ZM3.2 -1.2H4.6A2.2 2.2 0 0 1 4.6 3.2"
+        "H3.2M-3.6 -5V-7.2M.4 -5V-7.2", 1.7,
+    )
+)  # fmt: skip
+BED = _boxed(
+    f'<circle cx="-3.6" cy="-1.6" r="1.9" fill="{INK}"/>'
+    + _lines("M-7 -5.4V6M-7 3.2H7.2V6M7.2 3.2V-.6A1.8 1.8 0 0 0 5.4 -2.4H-.4V3.2")
+)
+CHANGE = _boxed(
+    _lines("M-6 -3.2H5.4M2.4 -6.2L5.6 -3.2L2.4 -.2M6 3.4H-5.4M-2.4 .4L-5.6 3.4L-2.4 6.4")
+)
+WAIT = _boxed(_lines("M-2.7 -4.4V4.4M2.7 -4.4V4.4", 2.8))
+NO_ENTRY = (
+    '<svg xmlns="http://www.w3.org/2000/svg" width="26" height="26" viewBox="-13 -13 26 26">'
+    '<circle r="11" fill="#a3260a" stroke="#fff" stroke-width="1.5"/>'
+    '<path d="M-6.4 0H6.4" stroke="#fff" stroke-width="3.6"/></svg>'
+)
+
+PAUSES = (
+    ("break", "break", CUP),
+    ("first_part", "first part of a break", CUP),
+    ("second_part", "second part of a break", CUP),
+    ("daily_rest", "daily rest", BED),
+    ("reduced_daily_rest", "reduced daily rest", BED),
+    ("weekly_rest", "weekly rest", BED),
+    ("reduced_weekly_rest", "reduced weekly rest", BED),
+    ("change", "change of drivers", CHANGE),
+    ("ban", "driving ban", NO_ENTRY),
+    ("company", "wait for others", WAIT),
+)
+"""Purpose, what the legend calls it, and its mark."""
+
 EVENT_PX = 26.0
 END_PX = 20.0
 
@@ -81,7 +131,11 @@ ALONE = "\"role\" <> 'platoon'"
 
 
 def style_rows(
-    names: Sequence[str], styles: Sequence[VehicleStyle], moment: datetime
+    names: Sequence[str],
+    styles: Sequence[VehicleStyle],
+    moment: datetime,
+    *,
+    pauses: bool = False,
 ) -> pd.DataFrame:
     """Return the table of styles, a row for each layer with shapes.
 
@@ -93,6 +147,8 @@ def style_rows(
         How each looks.
     moment : datetime
         When the styles were last changed, as the file tells it.
+    pauses : bool
+        Whether there is a layer of pauses.
 
     Returns
     -------
@@ -106,6 +162,7 @@ def style_rows(
         "routes": _routes(known),
         "platoons": _document(_platoons),
         "points": _points(known),
+        **({"pauses": _document(_pauses)} if pauses else {}),
         "network": _document(_network),
     }
     return pd.DataFrame(
@@ -237,6 +294,14 @@ def _points(known: Sequence[tuple[str, VehicleStyle]]) -> str:
         _labels(root, column("name"))
 
     return _document(fill)
+
+
+def _pauses(root: Element) -> None:
+    _categories(
+        root, "marker", "purpose",
+        [(purpose, label, [picture(drawn, EVENT_PX)]) for purpose, label, drawn in PAUSES],
+    )  # fmt: skip
+    _labels(root, f"trim({column('place')} || ' ' || round({column('minutes')}) || ' min')")
 
 
 def _labels(root: Element, expression: str) -> None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC
+from itertools import groupby
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from ...csv_tables import write_table
 from ...network.antimeridian import wrapped_deg
 from ...network.road_network import RoadNetwork
 from ...output_paths import checked_folder
+from ...plans.clock import duration
 from ...plans.laid_out import laid_out
 from ...plans.plan import Plan
 from ...plans.records import PlatoonPoint, Stop
@@ -23,12 +25,17 @@ from ...plans.timetable import VehicleTimes
 from ...plans.vehicles import VehiclePlan
 from ...shown_text import shown
 from ..document.checks import check_path, check_plan
+from ..document.halts import Halt, halts_of
 from ..document.provenance import credits
 from ..markup.quantities import kilometres
 from .file_names import file_stems
-from .legs import leg_columns, leg_rows
+from .legs import check_table, leg_columns, leg_rows
+from .pauses import pause_columns, pause_rows
 
 __all__ = ["write_csv", "write_gpx"]
+
+Waypoint = tuple[str, Stop | PlatoonPoint | Halt, float | None, str]
+"""Kind, place, moment [s] and comment."""
 
 GPX = "http://www.topografix.com/GPX/1/1"
 
@@ -37,17 +44,33 @@ TIMES_LEFT_OUT = "times left out: those of the plan name no time zone, and GPX w
 DIGITS = 6
 """Of numbers in CSV; more would say more than a plan knows."""
 
+DIGITS_OF_PLACES = 9
+"""With degrees among them: 1e-6 of one is a tenth of a metre."""
+
 IN_WORDS = {"platoon": "in platoon", "access": "between the road and a place beside it"}
+
+PAUSES = {
+    "weekly_rest": "Weekly rest", "reduced_weekly_rest": "Reduced weekly rest",
+    "daily_rest": "Daily rest", "reduced_daily_rest": "Reduced daily rest",
+    "break": "Break", "second_part": "Second part of a break",
+    "first_part": "First part of a break",
+    "change": "Change of drivers", "ban": "Driving ban", "company": "Wait",
+}  # fmt: skip
+"""What waypoints call a pause, by its purpose."""
+
+BESIDE_M = 50.0
+"""A place no farther from the road is at it."""
 
 
 def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> list[Path]:
     """Write a GPX file for each vehicle into a folder, which is made if it is missing.
 
-    Each holds the start, the merge, the separation and the destination as waypoints, and the
-    joint route as one track with a segment for each leg. Times are in UTC, as GPX wants them, so
-    they are there if those of the plan have a zone; else a line of the description says that they
-    are left out. Files are named as the vehicles are, as far as every system takes it: "Torino" is
-    in `torino.gpx`. All appear, or none.
+    Each holds the start, the merge, the separation, planned pauses and the destination as
+    waypoints, and the joint route as one track with a segment for each leg. A pause has a comment:
+    from when to when by the plan's clock, how far beside the road, and whether parking is known.
+    Times are in UTC, as GPX wants them, so they are there if those of the plan have a zone; else a
+    line of the description says that they are left out. Files are named as the vehicles are, as far
+    as every system takes it: "Torino" is in `torino.gpx`. All appear, or none.
 
     Parameters
     ----------
@@ -72,13 +95,14 @@ def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> l
     checked_folder(folder)
     check_plan(plan, net)
     plan, net = laid_out(plan, net)
+    halts = halts_of(plan, net)
     ElementTree.register_namespace("", GPX)
     stems = file_stems([vehicle.vehicle for vehicle in plan.vehicles])
     written: list[Path] = []
     with all_or_none():
-        for vehicle, stem, times in zip(plan.vehicles, stems, plan.times, strict=True):
+        for k, (vehicle, stem) in enumerate(zip(plan.vehicles, stems, strict=True)):
             path = folder / f"{stem}.gpx"
-            tree = ElementTree.ElementTree(_gpx(plan, net, vehicle, times))
+            tree = ElementTree.ElementTree(_gpx(plan, net, vehicle, plan.times[k], halts[k]))
             ElementTree.indent(tree, "")
             with whole_file(path, suffixes=(".gpx",)) as draft:
                 tree.write(draft, encoding="utf-8", xml_declaration=True)
@@ -87,7 +111,11 @@ def write_gpx(plan: Plan, net: RoadNetwork, folder: str | os.PathLike[str]) -> l
 
 
 def _gpx(
-    plan: Plan, net: RoadNetwork, vehicle: VehiclePlan, times: VehicleTimes | None
+    plan: Plan,
+    net: RoadNetwork,
+    vehicle: VehiclePlan,
+    times: VehicleTimes | None,
+    halts: Sequence[Halt],
 ) -> ElementTree.Element:
     stamp = _stamp(plan)
     root = ElementTree.Element(
@@ -97,19 +125,24 @@ def _gpx(
     _child(about, "name", f"{shown(vehicle.vehicle)}: {_ends(vehicle)}")
     left_out = [TIMES_LEFT_OUT] if times is not None and stamp is None else []
     _child(about, "desc", " \u00b7 ".join([*credits(plan, net), *left_out]))
-    for kind, place, moment in _waypoints(vehicle, times):
+    for kind, place, moment, comment in _waypoints(plan, vehicle, times, halts):
         point = _child(root, "wpt", lat=_degrees(place.lat), lon=_longitude(place.lon))
         if stamp and moment is not None:
             _child(point, "time", stamp(moment))
-        _child(point, "name", f"{kind}: {shown(place.name)}")
+        name = shown(place.name)
+        _child(point, "name", f"{kind}: {name}" if name or not comment else kind)
+        if comment:
+            _child(point, "cmt", comment)
         _child(point, "type", kind.lower())
     track = _child(root, "trk")
     _child(track, "name", f"{shown(vehicle.vehicle)}: {_ends(vehicle)}")
     _child(
         track,
         "desc",
+        # A road that is cut at a pause is one road.
         "; ".join(
-            f"{kilometres(leg.length_m)} {IN_WORDS.get(leg.role, 'alone')}" for leg in vehicle.legs
+            f"{kilometres(sum(leg.length_m for leg in legs))} {IN_WORDS.get(role, 'alone')}"
+            for (role, _), legs in groupby(vehicle.legs, key=lambda leg: (leg.role, leg.partners))
         ),
     )
     for number, leg in enumerate(vehicle.legs):
@@ -133,17 +166,43 @@ def _stamp(plan: Plan) -> Callable[[float], str] | None:
 
 
 def _waypoints(
-    vehicle: VehiclePlan, times: VehicleTimes | None
-) -> Iterator[tuple[str, Stop | PlatoonPoint, float | None]]:
-    """Yield kind, place and moment [s] of what a driver looks for on the way."""
+    plan: Plan, vehicle: VehiclePlan, times: VehicleTimes | None, halts: Sequence[Halt]
+) -> Iterator[Waypoint]:
+    """Yield kind, place, moment [s] and comment of what a driver looks for on the way."""
     together = [k for k, leg in enumerate(vehicle.legs) if leg.role == "platoon"]
-    yield "Start", vehicle.origin, times.departure_s if times else None
+    yield "Start", vehicle.origin, times.departure_s if times else None, ""
+    between: list[Waypoint] = []
     if vehicle.merge is not None:
-        yield "Merge", vehicle.merge, times.legs[together[0]][0] if times and together else None
+        merges = times.legs[together[0]][0] if times and together else None
+        between.append(("Merge", vehicle.merge, merges, ""))
     if vehicle.separation is not None:
         leaves = times.legs[together[-1]][1] if times and together else None
-        yield "Separation", vehicle.separation, leaves
-    yield "Destination", vehicle.destination, times.arrival_s if times else None
+        between.append(("Separation", vehicle.separation, leaves, ""))
+    between += [
+        (PAUSES[halt.purposes[0]], halt, halt.begin_s, _comment(plan, halt))
+        for halt in halts
+        if halt.is_planned
+    ]
+    yield from sorted(between, key=lambda one: one[2] or 0.0)
+    yield "Destination", vehicle.destination, times.arrival_s if times else None, ""
+
+
+def _comment(plan: Plan, halt: Halt) -> str:
+    """Return when a pause is, in local time, and where."""
+    assert plan.timetable is not None
+    clock = plan.timetable.clock
+    begin, end = clock.text(halt.begin_s), clock.text(halt.end_s)
+    told = [f"{duration(halt.lasts_s)}, {begin} to {end}"]
+    if halt.company:
+        told.append("with " + ", ".join(shown(plan.trips[k].vehicle) for k in halt.company))
+    if halt.beside_m >= BESIDE_M:
+        told.append(f"{halt.beside_m / 1000:.1f} km beside the road")
+    if halt.capacity is not None:
+        told.append(f"{halt.capacity} spaces for trucks")
+    if not halt.has_parking and halt.kind != "origin":
+        told.append("no parking known here")
+    told += [f"also {PAUSES[one].lower()}" for one in halt.purposes[1:]]
+    return "; ".join(told)
 
 
 def _along(shape: NDArray[np.float64], begin: float, end: float) -> NDArray[np.float64]:
@@ -177,10 +236,13 @@ def _child(
     return made
 
 
-def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
-    """Write the legs of a plan as CSV in UTF-8, with the columns of `to_geodataframe`.
+def write_csv(
+    plan: Plan, net: RoadNetwork, path: str | os.PathLike[str], what: str = "legs"
+) -> None:
+    """Write the legs or the pauses of a plan as CSV in UTF-8.
 
-    Where a spreadsheet would run a text as a formula, it gets an apostrophe.
+    The columns are those of `to_geodataframe`; pauses have their place as lon and lat. Where a
+    spreadsheet would run a text as a formula, it gets an apostrophe.
 
     Parameters
     ----------
@@ -190,12 +252,19 @@ def write_csv(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> Non
         The network it was made on.
     path : path-like
         Of the file; missing folders are made.
+    what : {"legs", "pauses"}
+        One row for each.
 
     Raises
     ------
     ScenarioError
-        A plan of another network, or a file that cannot be written.
+        A plan of another network, an unknown table, or a file that cannot be written.
     """
     path = check_path(path)
-    columns = leg_columns(plan, leg_rows(plan, net))
-    write_table(path, list(columns), zip(*columns.values(), strict=True), DIGITS)
+    check_table(what)
+    digits = DIGITS
+    if what == "pauses":
+        columns, digits = pause_columns(pause_rows(plan, net)), DIGITS_OF_PLACES
+    else:
+        columns = leg_columns(plan, leg_rows(plan, net))
+    write_table(path, list(columns), zip(*columns.values(), strict=True), digits)
