@@ -25,7 +25,7 @@ WALLS = {
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "costs": ("tolls",),
     "driving": ("bans",),
-    "planning": ("timing", "legal", "company", "scenario"),
+    "planning": ("timing", "company", "legal", "scenario"),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",
         "sheets",

@@ -26,7 +26,7 @@ from ..search.joining import best_pairs, entry_exit_costs, only_at
 from .member_plans import MemberPlans
 
 __all__ = ["CASES", "Case", "best_pairs", "choose_points", "entry_exit_costs", "plan_members",
-           "route_nodes"]  # fmt: skip
+           "route_nodes", "within_case"]  # fmt: skip
 
 Case = Literal["A", "B", "C"]
 CASES = ("A", "B", "C", "D")
@@ -188,13 +188,9 @@ def choose_points(
     nodes = route_nodes(net, route)
     edges = np.asarray(route, np.int64)
     platoon, length = running_sum(weights.platoon[edges]), running_sum(net.length_m[edges])
-    applicable = np.ones(len(solo), bool)
-    if case == "A":
-        places = _places_on(nodes, destinations, exits)
-        leave, applicable = only_at(leave, places), np.diff(places[0]) > 0
-    elif case == "B":
-        places = _places_on(nodes, origins, entries)
-        entry, applicable = only_at(entry, places), np.diff(places[0]) > 0
+    entry, leave, applicable = within_case(
+        nodes, case, (entry, leave), origins, destinations, entries, exits
+    )
     if gain is None:
         i, j, cost = best_pairs(entry, leave, platoon, length, solo)
     else:
@@ -208,6 +204,48 @@ def choose_points(
         together = entry[everyone, i] + (platoon[j] - platoon[i]) + leave[everyone, j]
         cost = np.where(i >= 0, together, solo)
     return MemberPlans.at(nodes, i, j, cost, solo, applicable)
+
+
+def within_case(
+    nodes: Index,
+    case: Case,
+    costs: tuple[Floats, Floats],
+    origins: Index,
+    destinations: Index,
+    entries: Sequence[Iterable[int]] | None = None,
+    exits: Sequence[Iterable[int]] | None = None,
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Return what joining and leaving cost where a case allows it.
+
+    Parameters
+    ----------
+    nodes : ndarray of int, (K + 1,)
+        Of the route.
+    case : {"A", "B", "C"}
+        As in `plan_members`.
+    costs : tuple of ndarray of float
+        Entry and exit, (N, K + 1) each.
+    origins, destinations : ndarray of int, (N,)
+        Nodes.
+    entries, exits : sequence of iterable of int, (N, ...), optional
+        As in `plan_members`.
+
+    Returns
+    -------
+    entry, leave : ndarray of float, (N, K + 1)
+        The same, inf where the case allows nobody.
+    applicable : ndarray of bool, (N,)
+        Whether it allows a member anything.
+    """
+    entry, leave = costs
+    applicable = np.ones(len(origins), bool)
+    if case == "A":
+        places = _places_on(nodes, destinations, exits)
+        leave, applicable = only_at(leave, places), np.diff(places[0]) > 0
+    elif case == "B":
+        places = _places_on(nodes, origins, entries)
+        entry, applicable = only_at(entry, places), np.diff(places[0]) > 0
+    return entry, leave, applicable
 
 
 def running_sum(values: Floats) -> Floats:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..costs.objective import Objective
 from ..costs.weights import EdgeWeights
-from ..driving.rules import Drive, DrivingRules
+from ..driving.rules import Drive, DrivingRules, limits_of
 from ..errors import ScenarioError, brief
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.road_network import RoadNetwork
@@ -195,7 +195,19 @@ def solve(problem: Problem) -> Plan:
     def finished(best: Best, reasons: Sequence[str]) -> Plan:
         return timed(_of_best(question, best, reasons))
 
-    if exact:
+    if exact and any(
+        limits_of(problem.rules, trip.driver.drivers).limits_driving for trip in problem.trips
+    ):
+        from .legal.solve import solved_under_law
+
+        plan = solved_under_law(
+            question,
+            vehicles,
+            lambda best, reasons: with_place_remarks(
+                _of_best(question, best, reasons), net, locations
+            ),
+        )
+    elif exact:
         best = best_answer(question)
         plan = finished(best, reasons_alone(question, best.answer))
         plan = lawful_company(question, best, plan, vehicles, finished)

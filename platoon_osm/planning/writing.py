@@ -32,7 +32,7 @@ from .positions import proved_by_position
 from .problem import Problem
 from .road_remarks import meets, road_remarks
 
-__all__ = ["identity_of", "written_plan"]
+__all__ = ["driven_runs", "identity_of", "written_plan"]
 
 Edges = NDArray[np.int64]
 
@@ -98,7 +98,7 @@ def written_plan(
         Without times.
     """
     net = problem.net
-    runs, ways = stretched([_access_apart(net, index, own) for index, own in enumerate(routes)])
+    runs, ways = driven_runs(net, routes)
     stretches = tuple(_stretch(net, fleet, run) for run in runs)
     names = _place_names(net, ends)
 
@@ -137,6 +137,28 @@ def written_plan(
         version=__version__,
         closed=tuple(map(str, problem.close)),
     )
+
+
+def driven_runs(
+    net: RoadNetwork, routes: Sequence[Sequence[Run]]
+) -> tuple[tuple[Run, ...], tuple[tuple[int, ...], ...]]:
+    """Return the runs that become the stretches of a plan, and the way of each vehicle over them.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network, with or without places between its junctions.
+    routes : sequence of sequence of Run, (N, ...)
+        Who drives what with whom.
+
+    Returns
+    -------
+    runs : tuple of Run
+        One a stretch, ways beside the road by themselves.
+    ways : tuple of tuple of int, (N, ...)
+        Their positions, in driving order.
+    """
+    return stretched([_access_apart(net, index, own) for index, own in enumerate(routes)])
 
 
 def _access_apart(net: RoadNetwork, vehicle: int, runs: Sequence[Run]) -> list[Run]:

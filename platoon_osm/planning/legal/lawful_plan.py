@@ -1,0 +1,68 @@
+"""The plan of a question under driving rules: company that can be driven, and its timetable.
+
+Who drives with whom is given as runs, with the legal trip of each vehicle. They are written down,
+cut where vehicles stand, and get the times of the linear programme. Should those break a closing
+of a road, for they need not be the moments of the search, the search's own moments are taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ...errors import ScenarioError
+from ...network.placed import network_below
+from ...plans.plan import Plan
+from ...plans.stretches import Run
+from ...plans.timetable import Timetable
+from ..timing.hours_check import broken_hours
+from ..timing.schedule import schedule
+from .cut_at_pauses import Driven, plan_with_days
+from .legal_question import LegalQuestion
+from .moments import table_of_moments
+
+__all__ = ["timed_under_law"]
+
+
+def timed_under_law(
+    legal: LegalQuestion, plan: Plan, routes: Sequence[Sequence[Run]], driven: Sequence[Driven]
+) -> Plan:
+    """Return a written plan with its pauses and times.
+
+    Parameters
+    ----------
+    legal : LegalQuestion
+        What was asked, with its law.
+    plan : Plan
+        Without times.
+    routes : sequence of sequence of Run, (N, ...)
+        What it was written from.
+    driven : sequence of Driven, (N,)
+        The legal trip of each vehicle.
+
+    Returns
+    -------
+    Plan
+        With a timetable that names its rules.
+    """
+    problem = legal.question.problem
+    cut = plan_with_days(plan, legal.question.net, routes, driven)
+    patience_s = problem.patience_min * 60.0
+    below = network_below(legal.question.net)
+    try:
+        table = schedule(cut.plan, problem.trips, patience_s, cut.days, legal.duration_s)
+        assert table is not None
+        found = _ruled(legal, cut.plan, table)
+        if not broken_hours(found, below, legal.vehicles):
+            return found
+    except ScenarioError:
+        # Rounded to the last digit, what is possible may seem not to be.
+        pass
+    table = table_of_moments(legal, cut.plan, cut.days, cut.points, driven)
+    return _ruled(legal, cut.plan, table)
+
+
+def _ruled(legal: LegalQuestion, plan: Plan, table: Timetable) -> Plan:
+    problem = legal.question.problem
+    named = replace(table, rules=problem.rules.name, task_relief=problem.task_relief)
+    return replace(plan, timetable=named)

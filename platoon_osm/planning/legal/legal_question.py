@@ -1,0 +1,293 @@
+"""A question with its law: each vehicle's way alone in whole seconds, its trip alone, its window.
+
+How far company may move a vehicle follows the rule of `timing.limits`, with the duration of the
+legal trip alone, breaks and rests included, in place of the driving time.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime, timedelta
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...driving.rules import limits_of
+from ...errors import ScenarioError
+from ...network.placed import PlacedNetwork, network_below
+from ...plans.clock import Clock
+from ...plans.timetable import LATE_S
+from ...vehicles.profile import Vehicle
+from ..question import Question
+from ..timing.forbidden import Interval
+from ..timing.limits import Window, first_named, windows_of
+from ..timing.road_hours import RoadHours
+from .one_driver import fastest
+from .road import LegalTrip
+from .star_times import OPEN_S, Span, VehicleRules
+from .way_points import WayPoints, way_points
+
+__all__ = ["LegalQuestion", "TripAlone"]
+
+Edges = NDArray[np.int64]
+
+DAY_S = 86_400.0
+
+AROUND_S = 10 * DAY_S
+"""How long before the first and after the last moment that trips name closings are looked for."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TripAlone:
+    """A vehicle's legal trip alone.
+
+    Attributes
+    ----------
+    way : WayPoints
+        Its way.
+    trip : LegalTrip
+        Its times.
+    after_latest_s : int
+        How long after its latest departure it leaves, for it must rest or be let through first [s];
+        0 where it keeps it.
+    """
+
+    way: WayPoints
+    trip: LegalTrip
+    after_latest_s: int = 0
+
+
+class LegalQuestion:
+    """What is known of a question under driving rules before anybody joins anybody.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+    vehicles : sequence of Vehicle, (N,)
+        What drives each trip.
+
+    Attributes
+    ----------
+    first : datetime
+        The first time that trips name; all seconds count from it.
+    monday_s : int
+        A Monday, 0:00 UTC, at or before it [s]; times without a zone are taken to be in UTC.
+    rules : tuple of VehicleRules, (N,)
+        The law for each vehicle.
+
+    Raises
+    ------
+    ScenarioError
+        No trip names a time.
+    """
+
+    def __init__(self, question: Question, vehicles: Sequence[Vehicle]) -> None:
+        self.question, self.vehicles = question, tuple(vehicles)
+        problem = question.problem
+        first = first_named(problem.trips)
+        if first is None:
+            raise ScenarioError(
+                f"driving rules {problem.rules.name!r} need a clock; give at least one trip an "
+                "earliest_departure"
+            )
+        self.first = first
+        self.monday_s = _monday_s(first)
+        clock = Clock.at(first)
+        named = [{name: clock.seconds(at) for name, at in trip.times.items()}
+                 for trip in problem.trips]  # fmt: skip
+        # Earliest and latest moments are rounded inward, so that whole seconds keep them.
+        self._asked = [
+            Window(_up(one.get("earliest_departure")), _down(one.get("latest_departure")),
+                   _down(one.get("latest_arrival")))
+            for one in named
+        ]  # fmt: skip
+        self.rules = tuple(
+            VehicleRules(
+                limits_of(problem.rules, trip.driver.drivers), trip.driver,
+                None if asked.earliest is None else int(asked.earliest),
+            )
+            for trip, asked in zip(problem.trips, self._asked, strict=True)
+        )  # fmt: skip
+        moments = [at for one in named for at in one.values()]
+        self._about = min(moments) - DAY_S, max(moments) + 2 * DAY_S
+        self._hours = RoadHours(
+            network_below(question.net), first, min(moments) - AROUND_S, max(moments) + AROUND_S
+        )
+
+    def closed(self, index: int, edge: int) -> Sequence[Interval]:
+        """Return when an edge is closed to a vehicle.
+
+        Parameters
+        ----------
+        index : int
+            The vehicle's position.
+        edge : int
+            An edge of the network with places.
+
+        Returns
+        -------
+        sequence of Interval
+            Seconds; by driving bans and by the hours of roads.
+        """
+        net = self.question.net
+        own = int(net.below_edge[edge]) if isinstance(net, PlacedNetwork) else edge
+        return self._hours.on(own, self.vehicles[index]) if own >= 0 else ()
+
+    def way(
+        self,
+        index: int,
+        edges: Edges,
+        company: Sequence[int] = (),
+        keep: Sequence[int] = (),
+        near_s: float | None = None,
+    ) -> WayPoints:
+        """Return the points of a way of a vehicle.
+
+        Parameters
+        ----------
+        index : int
+            The vehicle's position.
+        edges : ndarray of int, (k,)
+            The way, on the network with places.
+        company : sequence of int
+            Vehicles that may drive it together; it is driven as the slowest does. By default the
+            vehicle alone.
+        keep : sequence of int
+            Positions of edges whose beginning is a point in any case.
+        near_s : float, optional
+            As in `way_points`.
+
+        Returns
+        -------
+        WayPoints
+            In whole seconds.
+        """
+        drive_s = self.question.fleet.drive_s(company or (index,))[edges]
+        known = {} if near_s is None else {"near_s": near_s}
+        return way_points(
+            self.question.net, edges, drive_s, self.vehicles[index], keep,
+            lambda edge: self.closed(index, edge), **known,
+        )  # fmt: skip
+
+    @cached_property
+    def alone(self) -> tuple[TripAlone, ...]:
+        """The legal trip of each vehicle alone, (N,)."""
+        return tuple(self._alone(index) for index in range(len(self.vehicles)))
+
+    def _alone(self, index: int) -> TripAlone:
+        edges = self.question.alone[index]
+        for near_s in (None, 0.0):
+            way = self.way(index, edges, near_s=near_s)
+            for keeps_latest in (True, False):
+                trip = self._fastest(index, way, keeps_latest)
+                if trip is not None:
+                    latest = self._asked[index].latest
+                    late = 0 if keeps_latest or latest is None else trip.departure_s - int(latest)
+                    return TripAlone(way, trip, max(late, 0))
+        name = self.question.ends[index].vehicle
+        raise ScenarioError(
+            f"{name}: no trip keeps the driving rules {self.question.problem.rules.name!r}; give "
+            "its driver a rest before, or two drivers"
+        )
+
+    def _fastest(self, index: int, way: WayPoints, keeps_latest: bool) -> LegalTrip | None:
+        asked, rules = self._asked[index], self.rules[index]
+        latest = None if asked.latest is None or not keeps_latest else int(asked.latest)
+
+        def found(
+            earliest: int | None, last: int | None, arrival: int | None = None, leave: bool = False
+        ) -> LegalTrip | None:
+            return fastest(
+                way.road, rules.limits, rules.state, rules.state_at_s, earliest, last, arrival,
+                self.monday_s, "leave" if leave else "arrive",
+            )  # fmt: skip
+
+        if asked.earliest is not None:
+            return found(int(asked.earliest), latest)
+        if asked.arrival is not None:
+            return found(None, latest, int(asked.arrival), leave=True)
+        begin = 0 if asked.latest is None else int(asked.latest)
+        return found(begin, begin if keeps_latest else None)
+
+    @cached_property
+    def duration_s(self) -> list[float]:
+        """How long each takes alone from its earliest departure until it is there [s], (N,)."""
+        found = []
+        for asked, own in zip(self._asked, self.alone, strict=True):
+            begin = own.trip.departure_s if asked.earliest is None else asked.earliest
+            found.append(float(own.trip.arrival_s - begin))
+        return found
+
+    @cached_property
+    def _windows(self) -> tuple[list[Window], list[Window]]:
+        problem = self.question.problem
+        patience_s = problem.patience_min * 60.0
+        return windows_of(problem.trips, self.duration_s, patience_s, self.first)
+
+    @property
+    def asked(self) -> list[Window]:
+        """What trips name, (N,)."""
+        return self._windows[0]
+
+    @cached_property
+    def spans(self) -> tuple[Span, ...]:
+        """How far company may move each vehicle, in whole seconds, (N,)."""
+        found = []
+        for window, own in zip(self._windows[1], self.alone, strict=True):
+            span = Span(
+                -OPEN_S if window.earliest is None else int(_up(window.earliest) or 0),
+                OPEN_S if window.latest is None else int(_down(window.latest) or 0),
+                OPEN_S if window.arrival is None else int(_down(window.arrival) or 0),
+            )
+            if own.after_latest_s:
+                span = replace(span, latest_s=max(span.latest_s, own.trip.departure_s))
+            found.append(span)
+        return tuple(found)
+
+    @cached_property
+    def has_closings(self) -> bool:
+        """Whether a road of somebody's way is closed at some hour that matters."""
+        spans = self.spans
+        low, high = self._about
+        begin = min(low if one.earliest_s == -OPEN_S else one.earliest_s for one in spans)
+        end = max(high if one.arrival_s == OPEN_S else one.arrival_s for one in spans)
+        return any(
+            first < end and last > begin
+            for own in self.alone
+            for first, last in own.way.road.forbidden_s.tolist()
+        )
+
+    def in_window(self, index: int) -> bool:
+        """Tell whether a vehicle is in time alone, as far as company may move it.
+
+        Parameters
+        ----------
+        index : int
+            The vehicle's position.
+
+        Returns
+        -------
+        bool
+            Whether it is.
+        """
+        return self.alone[index].trip.arrival_s <= self.spans[index].arrival_s
+
+
+def _up(at: float | None) -> float | None:
+    return None if at is None else float(math.ceil(at - LATE_S))
+
+
+def _down(at: float | None) -> float | None:
+    return None if at is None else float(math.floor(at + LATE_S))
+
+
+def _monday_s(first: datetime) -> int:
+    """Return the last Monday, 0:00 UTC, before a moment, in seconds from it."""
+    moment = first.replace(tzinfo=UTC) if first.tzinfo is None else first.astimezone(UTC)
+    day = moment.replace(hour=0, minute=0, second=0, microsecond=0)
+    monday = day - timedelta(days=day.weekday())
+    return math.floor((monday - moment).total_seconds())

@@ -1,0 +1,108 @@
+"""From a question under driving rules to a plan with its timetable, and what is proved about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+
+from ...plans.clock import late_by
+from ...plans.plan import Plan
+from ...plans.proof import Proof
+from ...plans.text_table import listed
+from ...plans.timetable import LATE_S
+from ...vehicles.profile import Vehicle
+from ..answers import Answer
+from ..best import ANY_WAY, WAITING_FREE, Best
+from ..company.bound import least_total
+from ..company.draft import Draft
+from ..question import Question
+from ..reasons import reasons_alone
+from .lawful_plan import timed_under_law
+from .legal_question import LegalQuestion
+from .stars import Planned, planned_platoons
+
+__all__ = ["solved_under_law"]
+
+Write = Callable[[Best, Sequence[str]], Plan]
+"""Makes a plan without times of an answer and the reasons of those who drive alone."""
+
+STANDS_FOR_LAW = "which stands for its breaks and rests alone"
+WHOLE_SECONDS = "times in whole seconds"
+STOPPED = "the search ended before all was compared"
+
+
+def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Write) -> Plan:
+    """Return the best legal plan of a question.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked, with driving rules that have limits.
+    vehicles : sequence of Vehicle, (N,)
+        What drives each trip.
+    write : callable
+        Makes a plan without times.
+
+    Returns
+    -------
+    Plan
+        With its timetable; nobody breaks a rule in it.
+
+    Raises
+    ------
+    ScenarioError
+        No trip names a time, or a vehicle has no legal trip at all.
+    """
+    legal = LegalQuestion(question, vehicles)
+    planned = planned_platoons(legal)
+    draft = Draft.of(planned.runs)
+    master = planned.master if planned.master is not None else question.first_master
+    asked = question.problem.case
+    case = "C" if asked == "best" else asked
+    answer = Answer(draft, draft.costs(question.fleet), case, master, planned.bound)
+    best = Best(answer, _proof(legal, planned, answer), tuple(planned.tried), ())
+    plan = write(best, reasons_alone(question, answer))
+    timed = timed_under_law(legal, plan, planned.runs, planned.driven)
+    return replace(timed, remarks=(*timed.remarks, *_late(legal, timed)))
+
+
+def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
+    question = legal.question
+    any_plan = least_total(
+        question.net, question.fleet, question.node_pairs, question.solo, answer.cost
+    )
+    rules = f"driving rules {question.problem.rules.name}"
+    free = question.problem.objective.waiting(3600.0) == 0
+    common = (rules, WHOLE_SECONDS, *((WAITING_FREE,) if free else ()))
+    if len(question.ends) < 2:
+        return Proof.of(answer.cost, answer.cost, common)
+    if planned.bound is None or planned.unfinished:
+        stopped = (STOPPED,) if planned.unfinished else ()
+        return Proof.of(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
+    name = question.ends[answer.master or 0].vehicle
+    tried = f"{planned.masters} of {planned.masters} masters tried"
+    compared = (tried,) if question.fixed_master is None else ()
+    who = (f"master {name} on its own route, {STANDS_FOR_LAW}", *compared)
+    return Proof.of(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
+
+
+def _late(legal: LegalQuestion, plan: Plan) -> Iterator[str]:
+    """Yield who is late, or leaves late, for the law leaves it no other choice."""
+    assert plan.timetable is not None
+    late = [
+        f"{times.vehicle} by {late_by(times.late_s)}"
+        for times in plan.timetable.vehicles
+        if times.late_s > LATE_S
+    ]
+    if late:
+        yield (
+            f"not feasible in time within the law: late even alone: {listed(late)}; give earlier "
+            "departures or later arrivals"
+        )
+    held = [
+        f"{trip.vehicle} by {late_by(own.after_latest_s)}"
+        for trip, own in zip(plan.trips, legal.alone, strict=True)
+        if own.after_latest_s
+    ]
+    if held:
+        yield f"leave after their latest departure, for they must rest before: {listed(held)}"

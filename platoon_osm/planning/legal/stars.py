@@ -1,0 +1,244 @@
+"""The platoons that vehicles form under driving rules: star after star, each with its best master.
+
+Every vehicle is tried as master, those first whose bound without a clock is least, until no other
+can be better. Who is left alone then may form further platoons among themselves, found likewise.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...plans.records import MasterTried
+from ...plans.stretches import Run, runs_alone
+from ..answers import of_pair
+from ..cases import Case
+from ..company.draft import NO_CHEAPER
+from ..star import Star
+from .cut_at_pauses import Driven
+from .legal_question import LegalQuestion
+from .member_ways import MemberWays, Together
+from .platoon_record import PlatoonTiming
+from .platoon_search import search_platoon
+from .star_input import star_way
+
+__all__ = ["Planned", "planned_platoons"]
+
+LIMIT_S = 20.0
+"""How long the search for one master may take [s]; then its best is taken, with a bound."""
+
+ALL_S = 60.0
+"""The same for all masters together [s]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Platooned:
+    """One star as it is driven.
+
+    Attributes
+    ----------
+    star : Star
+        The master and its members.
+    timing : PlatoonTiming
+        When.
+    ways : MemberWays
+        The members' ways.
+    together : list of sequence of (int, int), (M, ...)
+        Where each member drives with the master; nothing for one that stays alone.
+    """
+
+    star: Star
+    timing: PlatoonTiming
+    ways: MemberWays
+    together: list[Sequence[Together]]
+
+    @property
+    def joined(self) -> list[int]:
+        """The vehicles that drive with the master, and the master, as positions in the plan."""
+        own = [k for k, some in zip(self.star.members, self.together, strict=True) if len(some)]
+        return sorted([self.star.master, *own]) if own else []
+
+
+@dataclass(slots=True, eq=False)
+class Planned:
+    """The platoons of a plan under driving rules.
+
+    Attributes
+    ----------
+    runs : list of list of Run, (N, ...)
+        Who drives what with whom.
+    driven : list of Driven, (N,)
+        Each vehicle's way and legal times.
+    cost : float
+        Of all vehicles together.
+    master : int or None
+        Of the first platoon; None if nobody joins anybody.
+    bound : float or None
+        No plan with one platoon, and any master that was to be tried, costs less; None if there
+        are several platoons.
+    tried : list of MasterTried
+        What each master would give, the cheapest first.
+    masters : int
+        How many masters were tried or cannot be better.
+    unfinished : bool
+        Whether a search ran out of time.
+    """
+
+    runs: list[list[Run]]
+    driven: list[Driven]
+    cost: float
+    master: int | None = None
+    bound: float | None = None
+    tried: list[MasterTried] = field(default_factory=list)
+    masters: int = 0
+    unfinished: bool = False
+
+
+def planned_platoons(legal: LegalQuestion) -> Planned:
+    """Return the platoons of a question under driving rules.
+
+    Parameters
+    ----------
+    legal : LegalQuestion
+        What is asked, with its law.
+
+    Returns
+    -------
+    Planned
+        In which nobody is late for company who is in time alone.
+    """
+    question = legal.question
+    alone = float(question.solo.sum())
+    everyone = range(len(question.ends))
+    plan = Planned(
+        [runs_alone(route, k) for k, route in enumerate(question.alone)],
+        [Driven(one.way, one.trip, rules)
+         for one, rules in zip(legal.alone, legal.rules, strict=True)],
+        alone, bound=alone,
+    )  # fmt: skip
+    if len(everyone) < 2:
+        return plan
+    deadline = time.perf_counter() + ALL_S
+    free = set(everyone)
+    fixed = question.fixed_master
+    first = _best_star(legal, None, everyone if fixed is None else [fixed], deadline, plan)
+    if first is None:
+        return plan
+    plan.master, plan.bound = first.star.master, min(plan.bound or alone, plan.cost)
+    several = question.problem.company == "anywhere" and question.problem.case in ("C", "best")
+    free -= set(first.joined)
+    while several and len(free) > 1:
+        more = _best_star(legal, free, sorted(free), deadline, plan)
+        if more is None:
+            break
+        plan.bound = None
+        free -= set(more.joined)
+    return plan
+
+
+def _best_star(
+    legal: LegalQuestion,
+    among: Collection[int] | None,
+    masters: Sequence[int],
+    deadline: float,
+    plan: Planned,
+) -> Platooned | None:
+    """Find the best star of some vehicles and put it into a plan; None if none is cheaper."""
+    question = legal.question
+    alone = float(question.solo.sum())
+    best: Platooned | None = None
+    least, bounds = alone, [alone]
+    order = {k: place for place, k in enumerate(question.by_length)}
+    stars = sorted(
+        _stars(legal, sorted(masters, key=order.__getitem__)), key=lambda star: star.bound
+    )
+    tried = []
+    for number, star in enumerate(stars):
+        if star.bound >= least * (1 - NO_CHEAPER):
+            bounds.append(star.bound)
+            break  # those after it have bounds no better
+        left = (deadline - time.perf_counter()) / (len(stars) - number)
+        found = _timed_star(legal, star, among, min(LIMIT_S, max(left, 1.0)))
+        bounds.append(found.timing.bound)
+        plan.unfinished |= not found.timing.proved
+        if np.isfinite(found.timing.cost):
+            tried.append(MasterTried(star.master, _case(legal), found.timing.cost))
+        better = found.timing.cost < least * (1 - (NO_CHEAPER if best is None else 0))
+        if better and found.joined and _allowed(legal, found):
+            least, best = found.timing.cost, found
+    if among is None:
+        plan.tried = sorted(tried, key=lambda one: one.cost)
+        plan.masters = len(stars)
+        plan.bound = min(bounds)
+    if best is None:
+        return None
+    plan.cost -= alone - best.timing.cost
+    for index, run in enumerate(best.ways.runs(best.together)):
+        if index in best.joined:
+            plan.runs[index] = run
+    trip = best.timing.master_trip
+    assert trip is not None
+    plan.driven[best.star.master] = Driven(best.ways.own.way, trip, best.ways.own.times.rules)
+    table = best.timing.timetable
+    assert table is not None
+    for row, (member, some) in enumerate(zip(best.star.members, best.together, strict=True)):
+        if len(some):
+            own = best.timing.members[row].trip
+            assert own is not None
+            way = best.ways.way(row, some, table.leave_s)
+            plan.driven[member] = Driven(way, own, legal.rules[member])
+    return best
+
+
+def _stars(legal: LegalQuestion, masters: Sequence[int]) -> Iterator[Star]:
+    question = legal.question
+    if question.star_cases:
+        yield from (question.star(master) for master in masters)
+    if "D" not in question.problem.cases:
+        return
+    # The route that suits both best is one more for either of them to lead on.
+    for answer in of_pair(question, question.first_master):
+        if not answer.draft.together:
+            continue
+        led = answer.draft.led()
+        master = led.index(max(led))
+        routes = [
+            answer.draft.routes[k] if k == master else own for k, own in enumerate(question.alone)
+        ]
+        yield Star(question.net, question.fleet, question.ends, master, question.routers, routes)
+
+
+def _case(legal: LegalQuestion) -> Case:
+    asked = legal.question.problem.case
+    return "A" if asked == "A" else "B" if asked == "B" else "C"
+
+
+def _timed_star(
+    legal: LegalQuestion, star: Star, among: Collection[int] | None, limit_s: float
+) -> Platooned:
+    own = star_way(legal, star, _case(legal), among)
+    ways = MemberWays(legal, own)
+    open_roads = np.full(len(star.members), not legal.has_closings)
+    timing = search_platoon(own.times, ways.real, limit_s, plain=open_roads)
+    together: list[Sequence[Together]] = [
+        () if one.is_alone else ((one.merge, one.separate),) for one in timing.members
+    ] or [() for _ in star.members]
+    return Platooned(star, timing, ways, together)
+
+
+def _allowed(legal: LegalQuestion, found: Platooned) -> bool:
+    """Tell whether nobody pays more than alone, where members look at their own cost."""
+    question = legal.question
+    if question.problem.optimum == "system":
+        return True
+    star = found.star
+    met = np.zeros(len(star.route), bool)
+    for some in found.together:
+        for i, j in some:
+            met[i:j] = True
+    weights = question.fleet[star.master]
+    gain = (weights.solo - weights.master)[star.route]
+    return float(gain[met].sum()) >= -NO_CHEAPER * float(question.solo[star.master])
