@@ -233,33 +233,198 @@ def _timetable(
         dep[k] = leaves + tau[pos[k]] + stood + here + later[k]
 
 
+def _openings(
+    pos: Seconds, tau: Seconds, places: Seconds, plan: Seconds, v: Seconds, at: int, made: int,
+    rested: int, stood: int, clocks: Seconds, departure: int, ahead: Seconds, later: Seconds,
+) -> int:  # fmt: skip
+    """Fill what stops not decided yet may do to the timetable; return where they may begin.
+
+    At each point the platoon is later by `ahead` at least and by `later` at most. The point that
+    is returned is negative, less one, if one of the stops may be a daily rest.
+    """
+    n = len(pos)
+    ahead[:] = 0
+    later[:] = 0
+    first = np.searchsorted(places, at, side="right")
+    budget = FAR
+    if v[ARRIVAL] < FAR // 2:
+        budget = v[ARRIVAL] - departure - tau[len(tau) - 1] - stood
+    left = plan[0] - made
+    if left <= 0 or first >= len(places) or budget <= 0:
+        return n
+    rests = max(0, plan[1] - rested)
+    if budget < v[REST]:
+        rests = 0
+    open_from = np.searchsorted(pos, places[first])
+    half = v[BREAK] - min(v[BREAK], v[SECOND]) if clocks[1] < FAR else 0
+    driven = min(clocks[0], clocks[1])
+    passed = first
+    for k in range(open_from, n):
+        while passed < len(places) and places[passed] <= pos[k]:
+            passed += 1
+        count = min(left, passed - first)
+        resting = min(rests, count)
+        most = resting * plan[3] + (count - resting) * plan[2]
+        later[k] = min(most, budget)
+        drive = tau[pos[k]] - tau[at]
+        resets = needed(v[DAY], clocks[2], drive)
+        more = needed(v[SPELL], driven, drive) - resets
+        least = resets * v[REST] if resets > 0 else 0
+        if more > 0:
+            least += more * v[BREAK] - half
+        ahead[k] = min(least, later[k])
+    return int(-1 - open_from if rests > 0 else open_from)
+
+
+def _cheapest(
+    v: Seconds, approach: Seconds, ready: Seconds, entry: Floats, onward_s: Seconds,
+    must: Seconds, leave: Floats, own: Floats, alone: float, slack: float, pos: Seconds,
+    clock: Seconds, along: Floats,
+    stay: Seconds, stop_at: Seconds, stop_s: Seconds, stops: int, open_from: int, rests_open: bool,
+    gone: Seconds, dep: Seconds, arr: Seconds, stop_dep: Seconds, stop_arr: Seconds, sure: bool,
+    refuted: Seconds, begin: int, end: int, least: Floats, promise: Floats, states: Seconds,
+) -> tuple[float, int, int]:  # fmt: skip
+    """Return what one vehicle pays, and its points."""
+    n = len(pos)
+    best, best_i, best_j, longest = alone, -1, -1, 0.0
+    if sure and v[PLAIN] == 0:
+        return best, best_i, best_j
+    day = v[SURE_DAY] if sure else v[DAY]
+    rest = v[SURE_REST] if sure else v[REST]
+    window = v[SURE_WINDOW] if sure else v[WINDOW]
+    last = v[ARRIVAL]
+    least[n] = np.inf
+    promise[n - 1] = np.inf
+    for j in range(n - 1, -1, -1):
+        if j < n - 1:
+            # It leaves its origin with the platoon if that is the point.
+            promise[j] = np.inf
+            if ready[j] <= dep[j] and (approach[j] > 0 or gone[j] <= v[LATEST]):
+                promise[j] = entry[j] - own[j] + least[j + 1]
+        least[j] = least[j + 1]
+        if own[j] + leave[j] < least[j] and arr[j] <= must[j]:
+            least[j] = own[j] + leave[j]
+    while True:
+        i = 0
+        for k in range(1, n):
+            if promise[k] < promise[i]:
+                i = k
+        if not promise[i] <= best + slack or promise[i] == np.inf:
+            return best, best_i, best_j
+        promise[i] = np.inf
+        base = entry[i] - own[i]
+        count = entry_states(v, approach[i], dep[i], stay[pos[i]], sure, states)
+        for state in range(count):
+            free, parted, today, duty = (
+                states[state, 0], states[state, 1], states[state, 2], states[state, 3]
+            )  # fmt: skip
+            q = 0
+            while q < stops and stop_at[q] <= pos[i]:
+                q += 1
+            at = clock[pos[i]]
+            for j in range(i + 1, n):
+                if not base + least[j] <= best + slack:
+                    break
+                legal = True
+                while True:
+                    stands = q < stops and stop_at[q] < pos[j]
+                    step = clock[stop_at[q] if stands else pos[j]] - at
+                    at += step
+                    free += step
+                    parted += step
+                    today += step
+                    if j >= open_from and not stands:
+                        free, parted = 0, 0
+                        if rests_open:
+                            today, duty = 0, max(duty, dep[j])
+                    if free > v[SPELL]:
+                        free = FAR
+                    if parted > v[SPELL]:
+                        parted = FAR
+                    when = stop_arr[q] if stands else arr[j]
+                    if (free >= FAR and parted >= FAR) or today > day or when - duty > window:
+                        legal = False
+                        break
+                    if not stands:
+                        break
+                    if stop_s[q] >= rest:
+                        free, parted, today, duty = 0, FAR if sure else 0, 0, stop_dep[q]
+                    else:
+                        free, parted = paused(v, free, parted, stop_s[q])
+                    q += 1
+                if not legal:
+                    break
+                total = base + own[j] + leave[j]
+                if not total <= best + slack:
+                    continue
+                together = along[j] - along[i]
+                if best_i < 0:
+                    better = total < best - slack or (together > 0.0 and best < np.inf)
+                else:
+                    better = total < best - slack or (
+                        together > longest or (together == longest and i < best_i)
+                    )
+                if not better:
+                    continue
+                known = True
+                for code in range(begin, end):
+                    if refuted[code] == i * n + j:
+                        known = False
+                if not known:
+                    continue
+                drive = onward_s[j]
+                for after in range(2):
+                    wait = 0
+                    a, b, t, s = free, parted, today, duty
+                    if after == 1:
+                        if not (q < stops and stop_at[q] == pos[j]):
+                            break
+                        wait = stop_s[q]
+                        if wait >= rest:
+                            a, b, t, s = 0, FAR if sure else 0, 0, dep[j]
+                        else:
+                            a, b = paused(v, a, b, wait)
+                    if sure:
+                        ends = arr[j] + wait + drive
+                        if min(a, b) + drive > v[SPELL] or t + drive > day or ends - s > window:
+                            ends = FAR
+                    else:
+                        ends = _onward(v, a, b, t, s, arr[j] + wait, drive)
+                    if ends <= last:
+                        best, best_i, best_j, longest = min(best, total), i, j, together
+                        break
+
+
 def evaluate(
-    rows: Seconds, vehicles: Seconds, approach: Seconds, entry: Floats, onward_s: Seconds,
-    leave: Floats, platoon: Floats, alone: Floats, slack: Floats, pos: Seconds, tau: Seconds,
-    clocks: Seconds, clock_of: Seconds, along: Floats, stay: Seconds, stop_at: Seconds,
-    stop_s: Seconds, open_from: int, rests_open: bool, ahead: Seconds, later: Seconds, leaves: int,
-    arrives: int, sure: bool, refuted_first: Seconds, refuted: Seconds, cost: Floats,
-    merge: Seconds, separate: Seconds,
+    rows: Seconds, vehicles: Seconds, approach: Seconds, ready: Seconds, entry: Floats,
+    onward_s: Seconds, must: Seconds, leave: Floats, platoon: Floats, alone: Floats,
+    slack: Floats, pos: Seconds, tau: Seconds,
+    clocks: Seconds, clock_of: Seconds, along: Floats, stay: Seconds, places: Seconds,
+    plan: Seconds, stop_at: Seconds, stop_s: Seconds, stop_count: Seconds, begun: Seconds,
+    leaves: Seconds, arrives: Seconds, sure: bool, refuted_first: Seconds, refuted: Seconds,
+    floor: Floats, most: float, cost: Floats, merge: Seconds, separate: Seconds,
 ) -> None:  # fmt: skip
-    """Fill the cost and the points of some vehicles.
+    """Fill the cost and the points of some vehicles, for some timetables of the master.
 
     Parameters
     ----------
     rows : ndarray of int, (R,)
         Which vehicles.
-    vehicles, approach, entry, onward_s, leave, platoon, alone, slack : ndarray
+    vehicles, approach, ready, entry, onward_s, must, leave, platoon, alone, slack : ndarray
         Of all vehicles, see `StarNumbers`.
     pos, tau, clocks, clock_of, along, stay : ndarray
         The master's way, likewise.
-    stop_at, stop_s : ndarray of int
-        Positions and lengths of the stops that are decided [s].
-    open_from : int
-        The point from which on there may be others; as many as there are points if there are none.
-    rests_open : bool
-        Whether one of them may be a daily rest.
-    ahead, later : ndarray of int, (n,)
-        By how much the platoon is later for them at each point, at least and at most [s].
-    leaves, arrives : int
+    places : ndarray of int
+        The positions at which it may stop.
+    plan : ndarray of int, (4,)
+        Stops and daily rests at most, and the longest stop without and with a rest [s].
+    stop_at, stop_s : ndarray of int, (C, S)
+        Of each timetable positions and lengths of the stops that are decided [s].
+    stop_count : ndarray of int, (C,)
+        How many these are.
+    begun : ndarray of int, (C, 3)
+        The master's clocks after the last of them; -1 first if no other stops follow.
+    leaves, arrives : ndarray of int, (C,)
         The master's departure, as it counts for merging and for separating [s].
     sure : bool
         Whether the value is wanted that is certain; else the least.
@@ -267,121 +432,64 @@ def evaluate(
         Where each row's begin in `refuted`.
     refuted : ndarray of int
         Pairs of points that are out, as i * n + j.
-    cost, merge, separate : ndarray, (R,)
+    floor : ndarray of float, (R,)
+        What each vehicle pays at least, as far as is known.
+    most : float
+        A timetable is of no interest if all together pay as much; its costs become inf.
+    cost, merge, separate : ndarray, (C, R)
         To be filled; -1 for who stays alone.
     """
     n = len(pos)
-    dep, arr = np.empty(n, np.int64), np.empty(n, np.int64)
-    stops = len(stop_at)
-    stop_dep, stop_arr = np.empty(stops, np.int64), np.empty(stops, np.int64)
-    _timetable(
-        pos, tau, stop_at, stop_s, leaves, arrives, ahead, later, dep, arr, stop_dep, stop_arr
-    )
-    least = np.empty(n + 1)
+    dep, arr, gone = np.empty(n, np.int64), np.empty(n, np.int64), np.empty(n, np.int64)
+    ahead, later = np.zeros(n, np.int64), np.zeros(n, np.int64)
+    room = stop_at.shape[1]
+    stop_dep, stop_arr = np.empty(room, np.int64), np.empty(room, np.int64)
+    least, promise = np.empty(n + 1), np.empty(n)
     states = np.empty((2, 4), np.int64)
+    master = vehicles[len(vehicles) - 1]
+    known = 0.0
     for row in range(len(rows)):
-        m = rows[row]
-        v, clock, own = vehicles[m], clocks[clock_of[m]], platoon[m]
-        best, best_i, best_j, longest = alone[m], -1, -1, 0.0
-        cost[row], merge[row], separate[row] = best, -1, -1
-        if sure and v[PLAIN] == 0:
-            continue
-        day = v[SURE_DAY] if sure else v[DAY]
-        rest = v[SURE_REST] if sure else v[REST]
-        window = v[SURE_WINDOW] if sure else v[WINDOW]
-        last = v[ARRIVAL]
-        least[n] = np.inf
-        for j in range(n - 1, -1, -1):
-            least[j] = least[j + 1]
-            if arr[j] + onward_s[m, j] <= last and own[j] + leave[m, j] < least[j]:
-                least[j] = own[j] + leave[m, j]
-        for i in range(n - 1):
-            base = entry[m, i] - own[i]
-            if not base + least[i + 1] <= best + slack[m] or base + least[i + 1] == np.inf:
-                continue
-            if approach[m, i] == 0 and dep[i] - later[i] + ahead[i] + arrives - leaves > v[LATEST]:
-                continue  # it leaves its origin with the platoon
-            count = entry_states(v, approach[m, i], dep[i], stay[pos[i]], sure, states)
-            for state in range(count):
-                free, parted, today, duty = (
-                    states[state, 0], states[state, 1], states[state, 2], states[state, 3]
-                )  # fmt: skip
-                q = 0
-                while q < stops and stop_at[q] <= pos[i]:
-                    q += 1
-                at = clock[pos[i]]
-                for j in range(i + 1, n):
-                    if not base + least[j] <= best + slack[m]:
-                        break
-                    legal = True
-                    while True:
-                        stands = q < stops and stop_at[q] < pos[j]
-                        step = clock[stop_at[q] if stands else pos[j]] - at
-                        at += step
-                        free += step
-                        parted += step
-                        today += step
-                        if j >= open_from and not stands:
-                            free, parted = 0, 0
-                            if rests_open:
-                                today, duty = 0, max(duty, dep[j])
-                        if free > v[SPELL]:
-                            free = FAR
-                        if parted > v[SPELL]:
-                            parted = FAR
-                        when = stop_arr[q] if stands else arr[j]
-                        if (free >= FAR and parted >= FAR) or today > day or when - duty > window:
-                            legal = False
-                            break
-                        if not stands:
-                            break
-                        if stop_s[q] >= rest:
-                            free, parted, today, duty = 0, FAR if sure else 0, 0, stop_dep[q]
-                        else:
-                            free, parted = paused(v, free, parted, stop_s[q])
-                        q += 1
-                    if not legal:
-                        break
-                    total = base + own[j] + leave[m, j]
-                    if not total <= best + slack[m]:
-                        continue
-                    together = along[j] - along[i]
-                    better = (
-                        total < best - slack[m]
-                        or (best_i >= 0 and together > longest)
-                        or (best_i < 0 and together > 0.0 and best < np.inf)
-                    )
-                    if not better:
-                        continue
-                    known = True
-                    for code in range(refuted_first[row], refuted_first[row + 1]):
-                        if refuted[code] == i * n + j:
-                            known = False
-                    if not known:
-                        continue
-                    drive = onward_s[m, j]
-                    for after in range(2):
-                        wait = 0
-                        a, b, t, s = free, parted, today, duty
-                        if after == 1:
-                            if not (q < stops and stop_at[q] == pos[j]):
-                                break
-                            wait = stop_s[q]
-                            if wait >= rest:
-                                a, b, t, s = 0, FAR if sure else 0, 0, dep[j]
-                            else:
-                                a, b = paused(v, a, b, wait)
-                        if sure:
-                            ends = arr[j] + wait + drive
-                            if min(a, b) + drive > v[SPELL] or t + drive > day or ends - s > window:
-                                ends = FAR
-                        else:
-                            ends = _onward(v, a, b, t, s, arr[j] + wait, drive)
-                        if ends <= last:
-                            best, best_i, best_j, longest = min(best, total), i, j, together
-                            break
-        cost[row], merge[row], separate[row] = best, best_i, best_j
+        known += floor[row]
+    for c in range(len(stop_count)):
+        stops = stop_count[c]
+        open_from, rests_open = n, False
+        ahead[:] = 0
+        later[:] = 0
+        if begun[c, 0] >= 0:
+            at, rested, stood = 0, 0, 0
+            for q in range(stops):
+                at = stop_at[c, q]
+                stood += stop_s[c, q]
+                rested += 1 if stop_s[c, q] >= master[REST] else 0
+            open_from = _openings(
+                pos, tau, places, plan, master, at, stops, rested, stood, begun[c], arrives[c],
+                ahead, later,
+            )  # fmt: skip
+            if open_from < 0:
+                open_from, rests_open = -1 - open_from, True
+        _timetable(
+            pos, tau, stop_at[c, :stops], stop_s[c, :stops], leaves[c], arrives[c], ahead, later,
+            dep, arr, stop_dep, stop_arr,
+        )  # fmt: skip
+        for k in range(n):
+            gone[k] = dep[k] - later[k] + ahead[k] + arrives[c] - leaves[c]
+        total = known
+        for row in range(len(rows)):
+            m = rows[row]
+            cost[c, row], merge[c, row], separate[c, row] = _cheapest(
+                vehicles[m], approach[m], ready[m], entry[m], onward_s[m], must[m], leave[m],
+                platoon[m], alone[m],
+                slack[m], pos, clocks[clock_of[m]], along, stay, stop_at[c], stop_s[c], stops,
+                open_from, rests_open, gone, dep, arr, stop_dep, stop_arr, sure, refuted,
+                refuted_first[row], refuted_first[row + 1], least, promise, states,
+            )  # fmt: skip
+            total += cost[c, row] - floor[row]
+            if not sure and not total < most:
+                cost[c, :] = np.inf
+                break
 
 
-HELPERS = (needed, breaks_s, paused, _onward, entry_states, _timetable)
-"""What the kernel calls: to be made known to the compiler before it."""
+HELPERS = (
+    needed, breaks_s, paused, _onward, entry_states, _timetable, _openings, _cheapest,
+)  # fmt: skip
+"""What the kernel calls, callees first: to be made known to the compiler before it."""

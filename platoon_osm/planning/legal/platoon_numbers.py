@@ -40,6 +40,9 @@ class StarNumbers:
         What is known of each, see `platoon_kernel`.
     approach, onward : ndarray of int, (M + 1, n)
         Driving times to points and from them [s].
+    ready, must : ndarray of int, (M + 1, n)
+        When each vehicle reaches a point at the earliest, and leaves it at the latest if it is to
+        be in time, with the fewest pauses [s].
     entry, leave, platoon : ndarray of float, (M + 1, n)
         What they cost, and the platoon up to each point.
     alone, slack : ndarray of float, (M + 1,)
@@ -65,6 +68,8 @@ class StarNumbers:
     vehicles: Seconds
     approach: Seconds
     onward: Seconds
+    ready: Seconds
+    must: Seconds
     entry: Floats
     leave: Floats
     platoon: Floats
@@ -148,10 +153,30 @@ def numbers_of_star(star: StarTimes, in_time: Marks, plain: Marks, rests: int) -
         ],
         np.int64,
     )
+    ready = vehicles[:, kernel.EARLIEST, None] + _least(vehicles, approach, begins=True)
+    must = vehicles[:, kernel.ARRIVAL, None] - _least(vehicles, onward, begins=False)
     return StarNumbers(
-        vehicles, approach, onward, entry, leave, platoon, alone, slack, pos, tau, clocks,
-        np.array([0] * members + [1], np.int64), along, star.road.stay_s, first, penalty,
+        vehicles, approach, onward, ready, must, entry, leave, platoon, alone, slack, pos, tau,
+        clocks, np.array([0] * members + [1], np.int64), along, star.road.stay_s, first, penalty,
     )  # fmt: skip
+
+
+def _least(vehicles: Seconds, drives: Seconds, begins: bool) -> Seconds:
+    """Return how long ways take at least, from the beginning of a trip or with clocks at 0."""
+    some = {name: vehicles[:, getattr(kernel, name), None] for name in (
+        "SPELL", "BREAK", "SECOND", "BROKEN", "PART", "DAY", "REST", "TODAY",
+    )}  # fmt: skip
+    driven = some["BROKEN"] if begins else 0
+    today = some["TODAY"] if begins else 0
+    part = some["PART"] if begins else 1
+    breaks = np.maximum(0, -(-(driven + drives - some["SPELL"]) // some["SPELL"]))
+    rests = np.maximum(0, -(-(today + drives - some["DAY"]) // some["DAY"]))
+    # A break may always be replaced by a rest that is needed anyway.
+    breaks = np.maximum(0, breaks - rests)
+    half = np.where(part == 1, np.maximum(0, some["BREAK"] - some["SECOND"]), 0)
+    paused = np.where(breaks > 0, breaks * np.minimum(some["BREAK"], NEVER_S) - half, 0)
+    rested = np.where(rests > 0, rests * np.minimum(some["REST"], NEVER_S), 0)
+    return np.asarray(np.where(drives >= NEVER_S, NEVER_S, drives + paused + rested), np.int64)
 
 
 def _longest(times: Seconds, costs: Floats) -> int:

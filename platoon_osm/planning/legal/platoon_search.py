@@ -17,7 +17,8 @@ from __future__ import annotations
 
 import heapq
 import time
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import Any
 
@@ -28,7 +29,7 @@ from . import platoon_kernel as kernel
 from .platoon_compiled import evaluator
 from .platoon_numbers import StarNumbers, numbers_of_star
 from .platoon_record import MASTER, MemberTiming, PlatoonTiming, Real, Timetable
-from .platoon_stops import MasterStops, Stops
+from .platoon_stops import Clocks, MasterStops, Stops
 from .road import LegalTrip
 from .star_times import OPEN_S, StarTimes
 
@@ -40,7 +41,11 @@ Marks = NDArray[np.bool_]
 Pairs = tuple[tuple[int, int], ...]
 """(row, code) of pairs that are out."""
 
-SPLIT_S = 2700
+Table = tuple[Stops, Clocks | None, int, int]
+"""Stops, the clocks after them if others may follow, and the departure as it counts for merging and
+for separating."""
+
+SPLIT_S = 1800
 """Spans shorter than this are split by stops before they are split again [s]."""
 
 SAME = 1e-9
@@ -52,15 +57,17 @@ HORIZON_S = 48 * 3600
 
 @dataclass(slots=True, eq=False)
 class _Node:
+    """A beginning of the master's stops, and a span of its departure."""
+
     stops: Stops
-    ended: bool
+    clocks: Clocks | None
+    """The master's after the last stop; None if no other stops follow."""
     begin: int
     end: int
     fixed: float
     rows: Seconds
-    refuted: Pairs
     low: Floats
-    high: Floats
+    refuted: Pairs = ()
 
 
 @dataclass(slots=True, eq=False)
@@ -79,20 +86,18 @@ class _Search:
     asked: dict[tuple[Any, ...], LegalTrip | None] = field(default_factory=dict)
     evaluations: int = 0
     spans: int = 0
+    plan: Seconds = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.plan = self.stops.plan
 
     def values(
-        self, rows: Seconds, stops: Stops, leaves: int, arrives: int, sure: bool,
-        refuted: Pairs = (), openings: tuple[int, bool, Seconds, Seconds] | None = None,
+        self, rows: Seconds, tables: Sequence[Table], sure: bool, refuted: Pairs = (),
+        floor: Floats | None = None, most: float = np.inf,
     ) -> tuple[Floats, Seconds, Seconds]:  # fmt: skip
-        """Return what vehicles pay, and their points."""
+        """Return what vehicles pay with some timetables, and their points."""
         some = self.numbers
-        n = len(some.pos)
-        if openings is None:
-            none = np.zeros(n, np.int64)
-            openings = n, False, none, none
-        out = (
-            np.empty(len(rows)), np.empty(len(rows), np.int64), np.empty(len(rows), np.int64)
-        )  # fmt: skip
+        size = len(tables), len(rows)
         first = np.zeros(len(rows) + 1, np.int64)
         codes = np.zeros(0, np.int64)
         if refuted:
@@ -103,67 +108,81 @@ class _Search:
                     own[where[row]].append(code)
             first[1:] = np.cumsum([len(one) for one in own])
             codes = np.array([code for one in own for code in one], np.int64)
-        at = np.array([position for position, _ in stops], np.int64)
-        lengths = np.array([length for _, length in stops], np.int64)
+        room = max(1, max(len(table[0]) for table in tables))
+        made = np.zeros((len(tables), room, 2), np.int64)
+        for k, table in enumerate(tables):
+            if table[0]:
+                made[k, : len(table[0])] = table[0]
+        rest = np.array(
+            [(len(one[0]), *(one[1] or (-1, 0, 0)), one[2], one[3]) for one in tables], np.int64
+        )
+        out = np.empty(size), np.empty(size, np.int64), np.empty(size, np.int64)
         self.evaluate(
-            rows, some.vehicles, some.approach, some.entry, some.onward, some.leave, some.platoon,
+            rows, some.vehicles, some.approach, some.ready, some.entry, some.onward, some.must,
+            some.leave, some.platoon,
             some.alone, some.slack, some.pos, some.tau, some.clocks, some.clock_of, some.along,
-            some.stay, at, lengths, openings[0], openings[1], openings[2], openings[3], leaves,
-            arrives, sure, first, codes, *out,
+            some.stay, self.stops.places, self.plan, np.ascontiguousarray(made[:, :, 0]),
+            np.ascontiguousarray(made[:, :, 1]), np.ascontiguousarray(rest[:, 0]),
+            np.ascontiguousarray(rest[:, 1:4]), np.ascontiguousarray(rest[:, 4]),
+            np.ascontiguousarray(rest[:, 5]), sure, first, codes,
+            np.zeros(len(rows)) if floor is None else floor, most, *out,
         )  # fmt: skip
-        self.evaluations += len(rows)
+        self.evaluations += len(rows) * len(tables)
         return out
 
-    def push(
-        self, stops: Stops, ended: bool, begin: int, end: int, fixed: float, rows: Seconds,
-        refuted: Pairs = (),
-    ) -> None:  # fmt: skip
-        """Bound a node, and keep it if it may be better than what is found."""
-        if begin > end:
+    def push(self, nodes: Sequence[_Node]) -> None:
+        """Bound nodes of the same vehicles, and keep those that may be better than the best."""
+        nodes = [node for node in nodes if node.begin <= node.end]
+        if not nodes:
             return
-        self.spans += 1
-        openings = None
-        if not ended:
-            clocks = self.stops.states(stops, end)
-            if clocks is None:
-                return
-            openings = self.stops.open_times(stops, clocks, begin)
-        low, _, _ = self.values(rows, stops, end, begin, False, refuted, openings)
-        if np.isinf(low).any():
-            return
-        bound = fixed + float(low.sum())
-        if bound >= self.best - self.tolerance:
-            return
-        high = low
-        if ended:
-            high, _, _ = self.values(rows, stops, begin, end, self.real is not None, refuted)
-            same = high - low <= self.tolerance * 1e-3
-            total = fixed + float(high.sum())
-            if total < self.best:
-                self.best, self.found = total, (stops, begin)
-            fixed += float(low[same].sum())
-            rows, low, high = rows[~same], low[~same], high[~same]
-            if not len(rows):
-                return
-        node = _Node(stops, ended, begin, end, fixed, rows, refuted, low, high)
-        pauses = sum(length for _, length in stops)
-        heapq.heappush(self.heap, (bound, pauses, next(self.order), node))
+        self.spans += len(nodes)
+        one = nodes[0]
+        low, _, _ = self.values(
+            one.rows, [(node.stops, node.clocks, node.end, node.begin) for node in nodes], False,
+            one.refuted, one.low, self.best - self.tolerance - one.fixed,
+        )  # fmt: skip
+        bounds = one.fixed + low.sum(axis=1)
+        for node, own, bound in zip(nodes, low, bounds.tolist(), strict=True):
+            if bound >= self.best - self.tolerance or bound == np.inf:
+                continue
+            node.low = own
+            if node.clocks is None:
+                table = node.stops, None, node.begin, node.end
+                high = self.values(node.rows, [table], self.real is not None, node.refuted)[0][0]
+                same = high - own <= self.tolerance * 1e-3
+                total = node.fixed + float(high.sum())
+                if total < self.best:
+                    self.best, self.found = total, (node.stops, node.begin)
+                node.fixed += float(own[same].sum())
+                node.rows, node.low = node.rows[~same], own[~same]
+                if not len(node.rows):
+                    continue
+            pauses = sum(length for _, length in node.stops)
+            heapq.heappush(self.heap, (bound, pauses, next(self.order), node))
 
     def run(self, begin: int, end: int) -> bool:
         """Search; return whether it came to an end before the time was over."""
-        self.push((), False, begin, end, 0.0, np.arange(len(self.numbers.alone)))
+        # The master comes first: a timetable that it cannot keep needs no further look.
+        rows = np.roll(np.arange(len(self.numbers.alone)), 1)
+        clocks = self.stops.states((), end)
+        if clocks is None or begin > end:
+            return True
+        self.push([_Node((), clocks, begin, end, 0.0, rows, np.zeros(len(rows)))])
         while self.heap:
             if self.heap[0][0] >= self.best - self.tolerance:
                 break
             if time.perf_counter() > self.deadline:
                 return False
             node = heapq.heappop(self.heap)[-1]
-            if node.ended:
+            if node.clocks is None:
                 self.settle(node)
             elif node.end - node.begin >= SPLIT_S:
-                middle = (node.begin + node.end) // 2
-                for low, high in ((node.begin, middle), (middle + 1, node.end)):
-                    self.push(node.stops, False, low, high, node.fixed, node.rows)
+                halves = []
+                for low, high in _halves(node.begin, node.end):
+                    clocks = self.stops.states(node.stops, high)
+                    if clocks is not None:
+                        halves.append(replace(node, clocks=clocks, begin=low, end=high))
+                self.push(halves)
             else:
                 self.branch(node)
         self.heap.clear()
@@ -172,17 +191,26 @@ class _Search:
     def branch(self, node: _Node) -> None:
         """Decide the next stop, or that there is none."""
         ways = self.stops
-        clocks = ways.states(node.stops, node.end)
-        if clocks is None:
-            return
-        if ways.is_end(node.stops, clocks):
-            for low, high in self.allowed(node.stops, node.begin, node.end):
-                self.push(node.stops, True, low, high, node.fixed, node.rows)
+        clocks = node.clocks
+        assert clocks is not None
+        at = node.stops[-1][0] if node.stops else 0
+        children = self.ended(node, node.stops) if ways.is_end(node.stops, clocks) else []
         for stop in ways.nexts(node.stops, clocks, node.begin):
             longer = (*node.stops, stop)
-            after = ways.states(longer, node.end)
+            after = ways.after(clocks, at, stop)
             if after and ways.can_end(longer, after, ways.budget(longer, node.begin)):
-                self.push(longer, False, node.begin, node.end, node.fixed, node.rows)
+                if len(longer) == ways.most:
+                    children += self.ended(node, longer)
+                else:
+                    children.append(replace(node, stops=longer, clocks=after))
+        self.push(children)
+
+    def ended(self, node: _Node, stops: Stops) -> list[_Node]:
+        """Return the nodes at which no other stops follow."""
+        return [
+            replace(node, stops=stops, clocks=None, begin=low, end=high)
+            for low, high in self.allowed(stops, node.begin, node.end)
+        ]
 
     def allowed(self, stops: Stops, begin: int, end: int) -> list[tuple[int, int]]:
         """Return the departures at which no hop starts while it is closed."""
@@ -213,28 +241,28 @@ class _Search:
 
     def settle(self, node: _Node) -> None:
         """Ask for real trips where only they can tell, then split the span."""
-        rows, stops = node.rows, node.stops
-        u, v = node.begin, node.end
-        middle, i, j = self.values(rows, stops, u, v, False, node.refuted)
+        rows, stops, u, v = node.rows, node.stops, node.begin, node.end
         refuted = list(node.refuted)
-        fixed, keep, changed = node.fixed, np.ones(len(rows), bool), False
-        for k, row in enumerate(rows.tolist()):
-            if self.real is None or middle[k] - node.low[k] > self.tolerance * 1e-3:
-                continue  # its time decides
-            if i[k] < 0 or self.trip(row, int(i[k]), int(j[k]), stops, u, u - v) is not None:
-                fixed, keep[k], changed = fixed + float(middle[k]), False, True
-            elif u == v or self.trip(row, int(i[k]), int(j[k]), stops, v, v - u) is None:
-                refuted.append((row, int(i[k]) * len(self.numbers.pos) + int(j[k])))
-                changed = True
-        if changed and (u == v or len(refuted) > len(node.refuted)):
-            self.push(stops, True, u, v, fixed, rows[keep], tuple(refuted))
-            return
-        if u < v:
-            half = (u + v) // 2
-            for low, high in ((u, half), (half + 1, v)):
-                self.push(stops, True, low, high, fixed, rows[keep], tuple(refuted))
-        elif changed:
-            self.push(stops, True, u, v, fixed, rows[keep], tuple(refuted))
+        keep = np.ones(len(rows), bool)
+        fixed = node.fixed
+        if self.real is not None:
+            middle, i, j = (
+                one[0] for one in self.values(rows, [(stops, None, u, v)], False, node.refuted)
+            )
+            for k in np.flatnonzero(middle - node.low <= self.tolerance * 1e-3).tolist():
+                # Not its time decides, but where it may pause.
+                row, a, b = int(rows[k]), int(i[k]), int(j[k])
+                if a < 0 or self.trip(row, a, b, stops, u, u - v) is not None:
+                    fixed, keep[k] = fixed + float(middle[k]), False
+                elif u == v or self.trip(row, a, b, stops, v, v - u) is None:
+                    refuted.append((row, a * len(self.numbers.pos) + b))
+        rest = replace(
+            node, fixed=fixed, rows=rows[keep], low=node.low[keep], refuted=tuple(refuted)
+        )
+        if u == v or len(refuted) > len(node.refuted):
+            self.push([rest])
+        else:
+            self.push([replace(rest, begin=low, end=high) for low, high in _halves(u, v)])
 
     def trip(
         self, row: int, i: int, j: int, stops: Stops, departure: int, slack: int
@@ -264,7 +292,8 @@ class _Search:
         """Return what members do at a departure, with real trips; None if the master cannot."""
         some = self.numbers
         master = np.array([some.master])
-        low, _, _ = self.values(master, stops, departure, departure, False)
+        table: Table = (stops, None, departure, departure)
+        low, _, _ = self.values(master, [table], False)
         if np.isinf(low).any() or (
             self.real is not None
             and self.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0) is None
@@ -274,7 +303,7 @@ class _Search:
         refuted: list[tuple[int, int]] = []
         chosen: dict[int, MemberTiming] = {}
         while len(rows):
-            cost, i, j = self.values(rows, stops, departure, departure, False, tuple(refuted))
+            cost, i, j = (one[0] for one in self.values(rows, [table], False, tuple(refuted)))
             left = []
             for k, row in enumerate(rows.tolist()):
                 if i[k] < 0:
@@ -357,6 +386,11 @@ def search_platoon(
         if found.timetable is not None or not ended:
             break
     return found
+
+
+def _halves(begin: int, end: int) -> tuple[tuple[int, int], tuple[int, int]]:
+    middle = (begin + end) // 2
+    return (begin, middle), (middle + 1, end)
 
 
 def _departures(star: StarTimes) -> tuple[int, int]:

@@ -17,7 +17,7 @@ from . import platoon_kernel as kernel
 from .platoon_numbers import StarNumbers
 from .star_times import OPEN_S
 
-__all__ = ["MasterStops", "Stops"]
+__all__ = ["Clocks", "MasterStops", "Stops"]
 
 Seconds = NDArray[np.int64]
 Stops = tuple[tuple[int, int], ...]
@@ -79,19 +79,13 @@ class MasterStops:
         if not kernel.entry_states(v, 0, departure, 0, False, some):
             return None
         free, parted, today, _ = some[0].tolist()
-        at, spell = 0, int(v[kernel.SPELL])
-        for position, length in stops:
-            step = int(self._tau[position]) - at
-            at, today = at + step, today + step
-            free = free + step if free + step <= spell else FAR
-            parted = parted + step if parted + step <= spell else FAR
-            if min(free, parted) >= FAR or today > v[kernel.DAY]:
+        clocks: Clocks | None = (free, parted, today)
+        at = 0
+        for stop in stops:
+            if clocks is None:
                 return None
-            if length >= v[kernel.REST]:
-                free, parted, today = 0, 0, 0
-            else:
-                free, parted = map(int, kernel.paused(v, free, parted, length))
-        return free, parted, today
+            clocks, at = self.after(clocks, at, stop), stop[0]
+        return clocks
 
     def left(self, clocks: Clocks, seconds: int) -> tuple[int, int, int]:
         """Return stops, rests and time standing that a way takes at least.
@@ -160,6 +154,46 @@ class MasterStops:
         at = stops[-1][0] if stops else 0
         return self.left(clocks, int(self._tau[-1] - self._tau[at]))[0] == 0
 
+    @property
+    def plan(self) -> Seconds:
+        """Stops and rests at most, and the longest stop without and with a rest, (4,) [s]."""
+        v = self._row
+        short = max((one for one in (int(v[kernel.BREAK]), *self.lengths) if one < FAR), default=0)
+        rest = max(int(v[kernel.SURE_REST]), int(v[kernel.REST]), *self.lengths, 0)
+        return np.array([self.most, self.rests, short, rest if rest < FAR else short], np.int64)
+
+    def after(self, clocks: Clocks, begin: int, stop: tuple[int, int]) -> Clocks | None:
+        """Return the clocks after one stop more; None if that is not legal.
+
+        Parameters
+        ----------
+        clocks : (int, int, int)
+            Before it.
+        begin : int
+            The position to which these belong.
+        stop : (int, int)
+            The stop's position and length [s].
+
+        Returns
+        -------
+        (int, int, int) or None
+            As in `states`.
+        """
+        v = self._row
+        spell = int(v[kernel.SPELL])
+        free, parted, today = clocks
+        position, length = stop
+        step = int(self._tau[position] - self._tau[begin])
+        free = free + step if free + step <= spell else FAR
+        parted = parted + step if parted + step <= spell else FAR
+        today += step
+        if min(free, parted) >= FAR or today > v[kernel.DAY]:
+            return None
+        if length >= v[kernel.REST]:
+            return 0, 0, 0
+        free, parted = kernel.paused(v, free, parted, length)
+        return int(free), int(parted), today
+
     def budget(self, stops: Stops, departure: int) -> int:
         """Return how long the master may still stand.
 
@@ -223,63 +257,3 @@ class MasterStops:
                     continue
                 found.append((place, length))
         return found
-
-    def open_times(
-        self, stops: Stops, clocks: Clocks, departure: int
-    ) -> tuple[int, bool, Seconds, Seconds]:
-        """Return what stops not decided yet may do to the timetable.
-
-        Parameters
-        ----------
-        stops : tuple of (int, int)
-            Those decided.
-        clocks : (int, int, int)
-            After the last of them.
-        departure : int
-            When the master leaves [s].
-
-        Returns
-        -------
-        open_from : int
-            The first point at which one may have been; the number of points if there is none.
-        rests : bool
-            Whether one may be a daily rest.
-        ahead, later : ndarray of int, (n,)
-            By how much the platoon is later at each point at least, and at most [s].
-        """
-        v, some = self._row, self.numbers
-        n = len(some.pos)
-        ahead, later = np.zeros(n, np.int64), np.zeros(n, np.int64)
-        left = self.most - len(stops)
-        at = stops[-1][0] if stops else 0
-        begin = np.searchsorted(self.places, at, "right")
-        budget = self.budget(stops, departure)
-        if left <= 0 or begin >= len(self.places) or budget <= 0:
-            return n, False, ahead, later
-        rested = sum(length >= v[kernel.REST] for _, length in stops)
-        rests = max(0, self.rests - rested)
-        if budget < v[kernel.REST]:
-            rests = 0
-        open_from = int(np.searchsorted(some.pos, self.places[begin]))
-        passed = np.searchsorted(self.places, some.pos, "right") - begin
-        counts = np.minimum(left, np.maximum(0, passed))
-        long = max(int(v[kernel.SURE_REST]), int(v[kernel.REST])) if rests else 0
-        short = max((one for one in (int(v[kernel.BREAK]), *self.lengths) if one < FAR), default=0)
-        resting = np.minimum(rests, counts)
-        later[:] = resting * long + (counts - resting) * short
-        if budget < FAR:
-            later[:] = np.minimum(later, budget)
-        drive = np.maximum(0, some.tau[some.pos] - some.tau[at])
-        spell, day = int(v[kernel.SPELL]), int(v[kernel.DAY])
-        free, parted, today = clocks
-        # What is reached without another stop takes none.
-        breaks = np.maximum(0, -(-(min(free, parted) + drive - spell) // spell))
-        resets = np.maximum(0, -(-(today + drive - day) // day))
-        least = resets * int(v[kernel.REST]) if resets.any() else np.zeros(n, np.int64)
-        more = np.maximum(0, breaks - resets)
-        if more.any():
-            one = int(v[kernel.BREAK])
-            half = one - min(one, int(v[kernel.SECOND])) if parted < FAR else 0
-            least = least + more * one - np.where(more > 0, half, 0)
-        ahead[:] = np.minimum(least, later)
-        return open_from, rests > 0, ahead, later
