@@ -45,6 +45,9 @@ FITTED_RANGE_S = (0.0, 16200.0)
 GRID_S = 30.0
 """How finely the running maximum looks between the moments it is asked for."""
 
+RATES = {"solo": 1.0, "platoon": 1.0, "wait": 0.0, "break": 0.0}
+"""How fast the driving clock runs in each role, before a follower's task is relieved."""
+
 PHI = 96.06
 """Inflation of the paper's heuristic, eq. 10 of [1]_."""
 
@@ -166,7 +169,9 @@ class FatigueModel:
         grid = np.arange(0.0, max(float(clock.max(initial=0.0)), 0.0) + GRID_S, GRID_S)
         so_far = np.maximum.accumulate(_printed(grid))
         before = np.maximum(printed, so_far[np.maximum(clock // GRID_S, 0).astype(np.int64)])
-        running: Floats = np.maximum.accumulate(before)
+        # After a break the clock, and the maximum with it, begins anew.
+        spells = np.split(before, np.flatnonzero(np.diff(clock) < 0) + 1)
+        running: Floats = np.concatenate([np.maximum.accumulate(spell) for spell in spells])
         return running
 
 
@@ -210,7 +215,9 @@ def driving_clock(
     Parameters
     ----------
     legs : iterable of tuple of str and float
-        Role and duration [s] in order; in role "platoon" the clock runs at 1 - task_relief.
+        Role and duration [s] in order: "solo"; "platoon", in which the clock runs at
+        1 - task_relief; "wait", in which it stands; "break", in which it stands and after which it
+        runs from 0.
     task_relief : float
         How much a follower's clock slows, [0, 1].
     step_s : float
@@ -221,7 +228,7 @@ def driving_clock(
     time_s : ndarray of float, (k,)
         From 0 to the journey's end [s].
     clock_s : ndarray of float, (k,)
-        The driving clock [s].
+        The driving clock [s]; at the end of a break twice, before and after.
 
     Raises
     ------
@@ -233,17 +240,20 @@ def driving_clock(
         raise ScenarioError(f"step_s = {brief(step_s)} must be above 0")
     times, clocks = [0.0], [0.0]
     for role, seconds in legs:
-        if role not in ("solo", "platoon"):
-            raise ScenarioError(f'leg role {brief(role)} is unknown; use "solo" or "platoon"')
+        if role not in RATES:
+            raise ScenarioError(f"leg role {brief(role)} is unknown; use {', '.join(RATES)}")
         if not 0 <= seconds < np.inf:
             raise ScenarioError(
                 f"leg of {brief(seconds)} s: a driving time is finite and 0 or more"
             )
-        rate = 1 - task_relief if role == "platoon" else 1.0
+        rate = RATES[role] - task_relief * (role == "platoon")
         count = max(1, int(np.ceil(seconds / step_s)))
         for _ in range(count):
             times.append(times[-1] + seconds / count)
             clocks.append(clocks[-1] + rate * seconds / count)
+        if role == "break":
+            times.append(times[-1])
+            clocks.append(0.0)
     return np.array(times), np.array(clocks)
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -14,6 +16,7 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.report.drawing.basemap import basemap_lines, metre_scale, network_lines, route_line
 from platoon_osm.report.drawing.lines import Line, Lines
 from platoon_osm.report.drawing.polyline import decode_lines, decode_polyline, encode_polyline
+from platoon_osm.report.drawing.trails import trails
 from platoon_osm.report.maps.placement import SOLID, Box, Cover
 from platoon_osm.report.markup.leaflet import load_leaflet
 from platoon_osm.shown_text import shown
@@ -88,7 +91,7 @@ def test_simplified_lines_keep_to_the_road(net: RoadNetwork) -> None:
 
 
 def test_far_roads_are_drawn_coarsely(net: RoadNetwork) -> None:
-    """Near a plan to 40 m, elsewhere to 300 m more; ends stay where they are."""
+    """Near a plan to 40 m, elsewhere to 600 m more; ends stay where they are."""
     scale = metre_scale(net)
     whole = network_lines(net, EVERYWHERE, inferred=False)
     far = network_lines(net, (0.0, 0.0, 1.0, 1.0), inferred=False)
@@ -100,7 +103,7 @@ def test_far_roads_are_drawn_coarsely(net: RoadNetwork) -> None:
             assert coarse[0] == fine[0]
             assert coarse[-1] == fine[-1]
             near = shapely.LineString(np.array(coarse) * scale)
-            assert shapely.distance(shapely.points(np.array(fine) * scale), near).max() < 315
+            assert shapely.distance(shapely.points(np.array(fine) * scale), near).max() < 615
             west, south, east, north = shapely.LineString(fine).bounds
             if lines is mixed and west <= 10 and east >= 9 and south <= 46 and north >= 44:
                 assert coarse == fine
@@ -147,3 +150,24 @@ def test_leaflet_is_whole() -> None:
     assert "sourceMappingURL" not in leaflet.script
     assert "images/" not in leaflet.style
     assert "</" not in leaflet.style
+
+
+@given(st.lists(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 3)), min_size=2, max_size=4,
+                         unique=True), max_size=9))  # fmt: skip
+def test_trails_draw_what_the_lines_draw(lines: list[list[tuple[int, int]]]) -> None:
+    def pieces(drawn: list[Any]) -> Counter[frozenset[tuple[int, ...]]]:
+        return Counter(
+            frozenset(map(tuple, pair))
+            for line in drawn
+            for pair in pairwise(np.asarray(line).tolist())
+        )
+
+    found = trails([np.array(line) for line in lines])
+    assert pieces(found) == pieces(lines)
+    assert len(found) <= len(lines)
+
+
+def test_lines_go_on_straight_over_a_junction() -> None:
+    cross = [[(0, 0), (2, 0)], [(2, 0), (4, 0)], [(2, -2), (2, 0)], [(2, 2), (2, 0)]]
+    found = {tuple(map(tuple, one.tolist())) for one in trails([np.array(one) for one in cross])}
+    assert found == {((0, 0), (2, 0), (4, 0)), ((2, -2), (2, 0), (2, 2))}

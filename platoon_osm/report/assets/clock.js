@@ -52,14 +52,18 @@ function place(index, at) {
   if (at >= arrival - NEAR) return { number: spans.length - 1, share: 1, state: "state-arrived" };
   const next = spans.findIndex(([, last]) => at < last - NEAR);
   const [first, last] = spans[next];
-  if (at < first - NEAR) return { number: next, share: 0, state: "state-waiting" };
+  if (at < first - NEAR) {
+    const why = plan.events.find(({ at_s: from, until_s: until, vehicles }) =>
+      until && from <= at + NEAR && at < until && vehicles.includes(index));
+    return { number: next, share: 0, state: why && why.kind !== "wait" ? `state-${why.kind}` : "state-waiting" };
+  }
   const share = Math.min(Math.max((at - first) / (last - first || 1), 0), 1);
   const [kind] = plan.vehicles[index].way[next];
   return { number: next, share, state: kind === "platoon" ? "state-together" : "state-alone" };
 }
 
 const LISTED = 8;
-const STATES = ["state-together", "state-alone", "state-waiting", "state-held", "state-not-left", "state-arrived"];
+const STATES = ["state-together", "state-alone", "state-break", "state-rest", "state-ban", "state-change", "state-waiting", "state-held", "state-not-left", "state-arrived"];
 
 /* What all do, such as "A, B in platoon; C waiting"; a crowd is counted. */
 function doing(at) {

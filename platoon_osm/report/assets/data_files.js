@@ -5,14 +5,13 @@ const planFiles = ({ plan, clock, credits, nameOf, legsOf }) => {
 
 const { say, number } = pageElements;
 const ends = (vehicle) => `${vehicle.origin.name} \u2013 ${vehicle.destination.name}`;
-const kindText = { merge: "mark-merge", separation: "mark-separation" };
 
 /* What happens to a vehicle, and when: places of the document's events, in driving order. */
 function pointsOf(index) {
   const { origin, destination, times } = plan.vehicles[index];
   const events = plan.events
     .filter((one) => one.vehicles.includes(index) || one.others.includes(index))
-    .map((one) => ({ ...one, own: one.vehicles.includes(index), title: say(kindText[one.kind]) }));
+    .map((one) => ({ ...one, own: one.vehicles.includes(index), title: say(`mark-${one.kind}`) }));
   return [
     { kind: "start", title: say("depart"), own: true, at_s: times?.departure_s, ...origin },
     ...events,

@@ -13,8 +13,7 @@ const MOST = 8;
 const NEAR_ZOOM = 11;
 
 const KINDS = {
-  vehicle: "find-vehicle", place: "find-place", junction: "find-junction", merge: "find-merge",
-  separation: "find-separation",
+  vehicle: "find-vehicle", place: "find-place", junction: "find-junction",
 };
 
 /* What is typed finds what is written, with accents or without. */
@@ -128,7 +127,7 @@ function optionOf(entry, index) {
   option.id = `found-${index}`;
   option.setAttribute("role", "option");
   option.setAttribute("aria-selected", "false");
-  option.append(element("small", "", say(KINDS[entry.kind])), " ", element("bdi", "", entry.name));
+  option.append(element("small", "", say(KINDS[entry.kind] ?? `mark-${entry.kind}`)), " ", element("bdi", "", entry.name));
   if (entry.more) option.append(" ", element("small", "more", entry.more));
   option.addEventListener("click", () => take(entry));
   return option;

@@ -28,7 +28,7 @@ const layer = L.layerGroup().addTo(map);
 
 /* What a disc wears when its vehicle does not drive: bars of a pause, or a tick. */
 const PAUSE = "M-1.7 -2.4V2.4M1.7 -2.4V2.4";
-const BADGES = { "state-waiting": PAUSE, "state-held": PAUSE, "state-arrived": "M-2.6 0.2L-0.7 2.2L2.8 -2" };
+const BADGES = { waiting: PAUSE, held: PAUSE, break: PAUSE, rest: PAUSE, change: PAUSE, ban: "M-3 0H3", arrived: "M-2.6 0.2L-0.7 2.2L2.8 -2" };
 
 function disc(vehicle, state) {
   const away = state === "state-not-left" || state === "state-held";
@@ -43,10 +43,11 @@ function disc(vehicle, state) {
       drawn("circle", { r: 12, fill: "#17202b" }), drawn("circle", { r: 10.6, fill: "#ffd54a" }),
       drawn("circle", { r: 9, fill: vehicle.colour }),
     ];
-  const badge = BADGES[state]
+  const wears = BADGES[state.slice(6)];
+  const badge = wears
     ? [drawn("g", { transform: "translate(9 -9)" },
       drawn("circle", { r: 6, fill: "#fff", stroke: "#17202b", "stroke-width": 1.2 }),
-      drawn("path", { d: BADGES[state], fill: "none", stroke: "#17202b", "stroke-width": 1.9 }))]
+      drawn("path", { d: wears, fill: "none", stroke: "#17202b", "stroke-width": 1.9 }))]
     : [];
   return drawn("svg", { viewBox: "-13 -13 26 26", width: 26, height: 26 }, ...rings, text, ...badge);
 }

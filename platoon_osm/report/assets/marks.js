@@ -1,4 +1,4 @@
-/* Starts, destinations, merges and separations: marks that keep clear of one another. */
+/* Starts, destinations, merges, separations and pauses: marks that keep clear of one another. */
 // oxlint-disable-next-line no-unused-vars -- page.js calls it; the page holds both.
 function planMarks({ plan, map, hidden, selection, tooltip }) {
 
@@ -57,9 +57,9 @@ function endPicture(face, square, late) {
   return drawn("svg", { viewBox: "-12 -12 24 24", width: 24, height: 24 }, shape, text, ...badges);
 }
 
-function eventPicture(kind, count) {
+function eventPicture(kind, count, bare) {
   const made = drawn("svg", { viewBox: "-13 -13 26 26", width: 28, height: 28 },
-    drawn("use", { href: `#icon-${kind}` }));
+    drawn("use", { href: `#icon-${kind}` }), ...(bare ? [drawn("use", { href: "#icon-unknown" })] : []));
   if (count > 1) {
     const text = drawn("text", {
       y: 3, "text-anchor": "middle", "font-size": 8.5, "font-weight": 700, fill: "#fff",
@@ -122,7 +122,6 @@ function drawEnds(stopOf, key, square) {
   }
 }
 
-const NOUNS = { merge: ["mark-merge", "mark-merges"], separation: ["mark-separation", "mark-separations"] };
 const concerned = ({ vehicles, others }) => [...vehicles, ...others];
 const isHidden = ({ vehicles }) => vehicles.every((index) => hidden.has(`vehicle-${index}`));
 
@@ -130,7 +129,7 @@ const isHidden = ({ vehicles }) => vehicles.every((index) => hidden.has(`vehicle
 function eventSpots() {
   if (!crowd) return plan.events.map((_, index) => [index]);
   const apart = (index) => concerned(plan.events[index]).includes(selection.chosen);
-  return Object.keys(NOUNS).flatMap((kind) =>
+  return [...new Set(plan.events.map(({ kind }) => kind))].flatMap((kind) =>
     spots(plan.events.map((event) => (event.kind !== kind || isHidden(event) ? null : event)), apart));
 }
 
@@ -140,11 +139,12 @@ function drawEvents() {
     const [event] = events;
     const one = events.length === 1;
     const names = [...new Set(events.map(({ name }) => isolated(name)))].slice(0, 4).join(", ");
-    const noun = say(NOUNS[event.kind][one ? 0 : 1], { n: events.length });
+    const noun = say(`mark-${event.kind}${one ? "" : "s"}`, { n: events.length });
+    const bare = events.some(({ has_parking: known }) => !known);
     const order = one ? `${indexes[0] + 1}. ` : "";
     const head = `${order}${noun}: ${one ? event.name : names}`;
     const lines = one ? [event.text, event.detail] : events.slice(0, 4).map(({ text }) => text);
-    const made = mark([event.lat, event.lon], eventPicture(event.kind, events.length), EVENT_PX,
+    const made = mark([event.lat, event.lon], eventPicture(event.kind, events.length, bare), EVENT_PX,
       one ? `${head}, ${event.text}` : head, "event-mark",
       [...new Set(events.flatMap(concerned))], { zIndexOffset: 400 });
     made.bindTooltip(tooltip({ head, lines }), { direction: "top", offset: [0, -12], opacity: 1 });

@@ -14,6 +14,7 @@ from ..language.speech import number, say
 from ..markup.fragments import NOTHING, Piece, Tree
 from .along_chart import ticks_of
 from .axes import SIZE, WIDTH, Tick, day_scale, letter_type, number_scale, plain, text_width
+from .polylines import line_text
 
 __all__ = ["fatigue_chart"]
 
@@ -147,6 +148,9 @@ def _notes(document: Document, company: bool) -> Iterator[str]:
     if company:
         yield say("fatigue.coloured")
         yield say("fatigue.in-platoon-or-waiting" if document.schedule else "fatigue.in-platoon")
+    if any(one.restarts for v in document.vehicles if v.times for one in v.times.stands):
+        yield say("fatigue.restarts")
+    if company:
         yield say("fatigue.dashed")
     yield say("fatigue.day-left-out")
     if any(curve.beyond for vehicle in document.vehicles for curve in vehicle.fatigue.curves):
@@ -160,16 +164,9 @@ def _row(
     base = HEIGHT
 
     def path(curve: FatigueCurve) -> str:
-        values = curve.values
-        # Where the curve is level its ends are enough.
-        level = [
-            0 < k < len(values) - 1 and values[k - 1] == values[k] == values[k + 1]
-            for k in range(len(values))
-        ]
-        return " ".join(
-            f"{left + hour * frame.per_hour:.1f},{base - value * frame.per_point:.1f}"
-            for hour, value, skip in zip(curve.hours, values, level, strict=True)
-            if not skip
+        return line_text(
+            (left + hour * frame.per_hour, base - value * frame.per_point)
+            for hour, value in zip(curve.hours, curve.values, strict=True)
         )
 
     joint = path(fatigue.joint)
@@ -191,8 +188,7 @@ def _row(
             "letter": vehicle.letter,
             "size": letter_type(vehicle.letter),
             "alone": alone,
-            "joint": joint,
-            "area": f"{first.split(',')[0]},{base:g} {joint} {last.split(',')[0]},{base:g}",
+            "joint": f"{first.split(',')[0]},{base:g} {joint} {last.split(',')[0]},{base:g}",
             "left": f"{frame.left:.1f}",
             "right": f"{frame.right:.1f}",
             "base": f"{base:g}",

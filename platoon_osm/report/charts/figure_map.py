@@ -26,6 +26,32 @@ __all__ = ["corridor"]
 # What lies over what.
 TIES, MARKS, CALLOUTS = 4, 5, 6
 
+SIGNS: dict[str, Sequence[Sequence[Point]]] = {
+    "break": [
+        [(-6.4, -2.4), (3.2, -2.4), (3.2, 3), (0.2, 6), (-3.4, 6), (-6.4, 3), (-6.4, -2.4)],
+        [(3.2, -1.2), (6.2, -0.6), (6.2, 2.6), (3.2, 3.2)],
+        [(-3.6, -5), (-3.6, -7.2)],
+        [(0.4, -5), (0.4, -7.2)],
+    ],
+    "rest": [
+        [(-7, -5.4), (-7, 6)],
+        [(-7, 3.2), (7.2, 3.2), (7.2, 6)],
+        [(7.2, 3.2), (7.2, -2.4), (-0.4, -2.4), (-0.4, 3.2)],
+        [(-4.4, -1.6), (-2.8, -1.6)],
+    ],
+    "ban": [[(-5.4, 0), (5.4, 0)]],
+    "change": [
+        [(-6, -3.2), (5.4, -3.2)],
+        [(2.4, -6.2), (5.6, -3.2), (2.4, -0.2)],
+        [(6, 3.4), (-5.4, 3.4)],
+        [(-2.4, 0.4), (-5.6, 3.4), (-2.4, 6.4)],
+    ],
+    "wait": [[(-2.7, -4.4), (-2.7, 4.4)], [(2.7, -4.4), (2.7, 4.4)]],
+}
+"""Lines of the icon of each kind of pause, as the page has them: a cup, a bed, no entry."""
+
+FACES = {"ban": (LATE, PAPER)}
+
 
 def corridor(document: Document) -> Figure:
     """Return the map of a plan.
@@ -155,6 +181,15 @@ class _Drawing:
                 moved = [(mark.x + x, mark.y + y) for x, y in points]
                 self.axes.add_patch(Polygon(moved, facecolor=ink, linewidth=0, zorder=MARKS))
 
+        if mark.kind in SIGNS:
+            self._face(mark, mark.kind == "ban", 10.5, *FACES.get(mark.kind, (PAPER, INK)))
+            for points in SIGNS[mark.kind]:
+                moved = [(mark.x + x, mark.y + y) for x, y in points]
+                ink, width = (PAPER, 3.4) if mark.kind == "ban" else (INK, 1.7)
+                self.line(moved, ink, width, zorder=MARKS, solid_capstyle="round")
+            if not mark.has_parking:
+                self.text(mark.x + 10, mark.y - 9, "?", 11, INK, weight="bold", zorder=MARKS)
+            return
         if mark.kind == "merge":
             self._face(mark, True, 11.0, INK, PAPER)
             arrow(

@@ -4,18 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...plans.clock import MENTIONED_S, Clock
+from ...plans.clock import MENTIONED_S, Clock, whole_minutes
 from ..document.model import Document
 from ..document.model_day import VehicleDay
+from ..document.model_law import Standing
 from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
-from ..drawing.palette import INK, LATE, MUTED, TICK
+from ..drawing.palette import CASING, INK, LATE, MUTED, TICK
 from ..language.speech import clock_time, say
 from ..markup.fragments import NOTHING, Piece, Tree
-from .axes import SIZE, WIDTH, Tick, day_scale, letter_type, text_width
+from .axes import SIZE, WIDTH, Tick, day_scale, letter_type, plain, text_width
 from .sentences import sentence, spoken_list
 
-__all__ = ["BEYOND", "schedule_chart", "schedule_notes"]
+__all__ = [
+    "BEYOND", "PAUSES", "drawn_kinds", "schedule_chart", "schedule_notes", "stands_text",
+]  # fmt: skip
+
+PAUSES = {
+    "break": "schedule.break",
+    "rest": "schedule.rest",
+    "ban": "schedule.ban",
+    "change": "schedule.change",
+}
+"""What is drawn apart from a wait for others, each by its own shape, and what says so."""
+
+PAUSE_SIZE = 11.0
+"""Of the type in a box."""
+
+SIGN = 11.0
+"""A driving ban this wide bears its sign."""
 
 LEFT, RIGHT = 38.0, WIDTH - 14
 ROW, CROWDED_ROW = 38, 26
@@ -182,13 +199,31 @@ def schedule_notes(document: Document, members: Sequence[int]) -> str:
     """
     vehicles = [document.vehicles[index] for index in members]
     days = [vehicle.day for vehicle in vehicles]
+    stands = drawn_kinds(days)
     shown = {
         "schedule.yellow": any(kind == "platoon" for one in vehicles for kind, _ in one.way),
-        "schedule.hatched": any(one.waiting_s >= MENTIONED_S for one in days),
+        "schedule.hatched": "wait" in stands,
+        **{key: kind in stands for kind, key in PAUSES.items()},
         "schedule.dotted": any(one.text.held for one in days),
         "schedule.bar": any(one.latest_arrival_s is not None for one in days),
     }
     return " ".join(say(key) for key, is_shown in shown.items() if is_shown)
+
+
+def drawn_kinds(days: Sequence[VehicleDay]) -> set[str]:
+    """Return for what vehicles stand, as far as it is drawn.
+
+    Parameters
+    ----------
+    days : sequence of VehicleDay
+        Theirs.
+
+    Returns
+    -------
+    set of str
+        Kinds of `Standing`.
+    """
+    return {one.kind for day in days for one in day.stands if one.lasts_s >= MENTIONED_S}
 
 
 def _row(document: Document, index: int, axis: _Axis, y: float, crowded: bool) -> Piece:
@@ -237,16 +272,15 @@ def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
                 "cap": vehicle.cap,
             },
         )
-    for begin, end in _waits(times):
-        # A short one too ends where the vehicle goes on.
-        width = max((end - begin) * axis.per_second, LEAST_WAIT)
-        yield Piece("schedule-wait", {"x": f"{axis.x(end) - width:.1f}", "width": f"{width:.1f}"})
+    for one in times.stands:
+        if one.lasts_s >= MENTIONED_S:
+            yield _stand(one, axis)
     yield Piece("schedule-start", {"x": axis.at(times.departure_s), "colour": vehicle.colour})
     yield Piece(
         "schedule-end", {"x": f"{axis.x(times.arrival_s) - 4:.1f}", "colour": vehicle.colour}
     )
     for event in document.events:
-        if index in event.vehicles and event.at_s is not None:
+        if index in event.vehicles and event.at_s is not None and not event.stands:
             # Within the band: a wait ends where it begins, and would be covered.
             aside = 7 if event.kind == "merge" else -7
             x = axis.x(event.at_s) + aside
@@ -279,12 +313,39 @@ def _driven(times: VehicleDay) -> list[list[float]]:
     return found
 
 
-def _waits(times: VehicleDay) -> list[tuple[float, float]]:
-    ends = [times.departure_s, *(end for _, end in times.spans)]
-    starts = (begin for begin, _ in times.spans)
-    return [
-        (end, begin) for end, begin in zip(ends, starts, strict=False) if begin - end >= MENTIONED_S
-    ]
+def _stand(one: Standing, axis: _Axis) -> Piece:
+    # A short one too ends where the vehicle goes on.
+    width = max(one.lasts_s * axis.per_second, LEAST_WAIT)
+    x = axis.x(one.end_s) - width
+    values = {"x": f"{x:.1f}", "width": f"{width:.1f}"}
+    middle = f"{x + width / 2:.1f}"
+    told: Tree = NOTHING
+    if one.kind in ("break", "rest"):
+        text = stands_text(one)
+        if width >= text_width(text, PAUSE_SIZE, True) + 2:
+            colour = INK if one.kind == "break" else CASING
+            told = Piece("schedule-stand-text", {"x": middle, "text": text, "colour": colour})
+    elif one.kind == "ban" and width >= SIGN:
+        told = Piece("schedule-sign", {"x": middle})
+    return Piece(f"schedule-{one.kind}", {**values, "middle": middle, "told": told})
+
+
+def stands_text(one: Standing) -> str:
+    """Return how long a break or a rest is, as it stands in its box.
+
+    Parameters
+    ----------
+    one : Standing
+        Of a vehicle's day.
+
+    Returns
+    -------
+    str
+        Of a break its minutes; of a rest its hours.
+    """
+    if one.kind == "break":
+        return str(whole_minutes(one.lasts_s))
+    return f"{plain(round(one.lasts_s / 360) / 10)} h"
 
 
 def _labels(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
@@ -310,7 +371,7 @@ def _labels(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
         taken.append((x - half, x + half))
         yield _label(x, text, colour, weight)
     for event in document.events:
-        if index not in event.vehicles or event.at_s is None:
+        if index not in event.vehicles or event.at_s is None or event.stands:
             continue
         text = clock_time(axis.clock, event.at_s)
         half, spot = text_width(text, SIZE) / 2, axis.x(event.at_s)

@@ -8,17 +8,39 @@ from typing import TYPE_CHECKING, Any
 from ...plans.clock import MENTIONED_S, Clock
 from ..document.model import Document
 from ..document.model_day import DaySchedule
-from ..drawing.palette import LATE, MUTED, PAPER, PLATOON, PLATOON_CASING
+from ..document.model_law import Standing
+from ..drawing.palette import CROWD, INK, LATE, MUTED, PAPER, PLATOON, PLATOON_CASING
 from ..drawing.ticks import hour_ticks
 from ..language.speech import clock_time, say
-from .schedule_chart import BEYOND, schedule_notes
+from .schedule_chart import BEYOND, schedule_notes, stands_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["COLUMNS", "draw_schedule", "schedule_rows"]
+__all__ = ["COLUMNS", "LOOKS", "draw_schedule", "draw_stand", "schedule_rows"]
 
 Row = tuple[str | float, ...]
+
+HEIGHTS = {"wait": 0.42, "break": 0.5, "rest": 0.4, "ban": 0.42, "change": 0.5}
+LOOKS: dict[str, dict[str, Any]] = {
+    "wait": {"color": PAPER, "edgecolor": MUTED, "hatch": "//////", "linewidth": 0.6},
+    "break": {"color": PAPER, "edgecolor": INK, "linewidth": 1.0},
+    "rest": {"color": CROWD, "edgecolor": CROWD, "linewidth": 0.6},
+    "ban": {"color": PAPER, "edgecolor": LATE, "hatch": "||||||", "linewidth": 0.6},
+    "change": {"color": INK, "edgecolor": INK, "linewidth": 0.6},
+}
+"""What each kind of standing looks like, here and in the diagram of time and distance."""
+
+LEAST_TEXT = 0.035
+"""A box at least this share of the axis wide bears its text."""
+
+DOES = {
+    "wait": "waits",
+    "break": "takes a break",
+    "rest": "rests",
+    "ban": "stands for a driving ban",
+    "change": "changes drivers",
+}
 
 COLUMNS = ("vehicle", "does", "with", "begin", "end", "begin_s", "end_s")
 
@@ -42,19 +64,7 @@ def draw_schedule(
     vehicles = document.vehicles
     for row, (vehicle, dash) in enumerate(zip(vehicles, dashes, strict=True)):
         times, colour = vehicle.day, vehicle.colour
-        last = times.departure_s
         for (kind, _), (begin, end) in zip(vehicle.way, times.spans, strict=True):
-            if begin - last >= MENTIONED_S:
-                axes.barh(
-                    row,
-                    begin - last,
-                    0.42,
-                    left=last,
-                    color=PAPER,
-                    edgecolor=MUTED,
-                    hatch="//////",
-                    linewidth=0.6,
-                )
             if kind == "platoon":
                 axes.barh(
                     row,
@@ -66,7 +76,9 @@ def draw_schedule(
                     linewidth=0.4,
                 )
             axes.plot([begin, end], [row, row], color=colour, linewidth=2, **dash)
-            last = end
+        for one in times.stands:
+            if one.lasts_s >= MENTIONED_S:
+                draw_stand(axes, one, row, schedule.end_s - schedule.begin_s)
         axes.plot([times.departure_s], [row], "o", color=colour, markersize=5)
         axes.plot([times.arrival_s], [row], "s", color=colour, markersize=5)
         late = times.is_late
@@ -99,6 +111,35 @@ def draw_schedule(
     axes.set_xlabel(say("schedule.axis", day=schedule.text.day, zone=zone) + f"\n{legend}")
 
 
+def draw_stand(axes: Axes, one: Standing, row: float, span_s: float) -> None:
+    """Draw a while in which a vehicle stands, by its kind.
+
+    Parameters
+    ----------
+    axes : Axes
+        Of matplotlib, with time to the right.
+    one : Standing
+        What for.
+    row : float
+        Of the vehicle.
+    span_s : float
+        Of the whole axis: a box that is wide enough tells how long.
+    """
+    axes.barh(row, one.lasts_s, HEIGHTS[one.kind], left=one.begin_s, zorder=2.5, **LOOKS[one.kind])
+    if one.kind in ("break", "rest") and one.lasts_s >= LEAST_TEXT * span_s:
+        axes.text(
+            one.begin_s + one.lasts_s / 2,
+            row,
+            stands_text(one),
+            ha="center",
+            va="center_baseline",
+            fontsize=6.5,
+            fontweight="bold",
+            color=INK if one.kind == "break" else PAPER,
+            zorder=3,
+        )
+
+
 def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[Row]:
     """Yield what each vehicle does from when to when.
 
@@ -121,8 +162,9 @@ def schedule_rows(document: Document, schedule: DaySchedule) -> Iterator[Row]:
         if times.text.held and times.earliest_departure_s is not None:
             yield _row(clock, (letter, "could have left", ""), times.earliest_departure_s, last)
         for (kind, piece), (begin, end) in zip(vehicle.way, times.spans, strict=True):
-            if begin - last > 0:
-                yield _row(clock, (letter, "waits", ""), last, begin)
+            for one in times.stands:
+                if last - 0.1 <= one.begin_s < begin:
+                    yield _row(clock, (letter, DOES[one.kind], ""), one.begin_s, one.end_s)
             company = document.platoons[piece].vehicles if kind == "platoon" else ()
             others = " ".join(vehicles[i].letter for i in company if i != index)
             does = "in platoon" if others else "alone"

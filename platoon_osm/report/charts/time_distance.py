@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from ...plans.clock import MENTIONED_S, Clock
 from ..document.model import Document
+from ..document.model_law import Standing
 
 __all__ = [
     "BEYOND", "Band", "Course", "Diagram", "Leg", "Place", "Spot", "Stand", "diagram_of",
@@ -59,12 +60,15 @@ class Stand:
         From when to when.
     vehicles : tuple of int
         Who stands there for just that long.
+    kind : str
+        Why, as of a `Standing`.
     """
 
     at_m: float
     begin_s: float
     end_s: float
     vehicles: tuple[int, ...]
+    kind: str = "wait"
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,9 +163,9 @@ class Diagram:
     bands : tuple of Band
         Stretches in platoon.
     waits : tuple of Stand
-        Who waits where for others.
+        Who stands where, waiting for others or for another reason.
     spots : tuple of Spot
-        Merges and separations.
+        Merges and separations, and the middles of pauses.
     places : tuple of Place
         What is named on the scale of distance, in its order.
     guide : int
@@ -221,7 +225,7 @@ def diagram_of(document: Document, members: Sequence[int]) -> Diagram | None:
     return Diagram(
         courses=courses,
         bands=tuple(bands[piece] for piece in sorted(bands)),
-        waits=tuple(_waits(courses)),
+        waits=tuple(_waits(document, courses)),
         spots=spots,
         places=tuple(_places(document, courses[inside.index(guide)], spots)),
         guide=guide,
@@ -262,22 +266,26 @@ def _course(document: Document, index: int, begin_s: float) -> Course:
     return Course(index, tuple(legs), day.departure_s, held, earliest, day.latest_arrival_s)
 
 
-def _waits(courses: Sequence[Course]) -> Iterator[Stand]:
-    """Yield each wait once, with all who stand there for just that long."""
-    found: dict[tuple[int, int, int], list[tuple[int, Leg, float]]] = {}
+def _waits(document: Document, courses: Sequence[Course]) -> Iterator[Stand]:
+    """Yield each while of standing once, with all who stand there for just that long."""
+    found: dict[tuple[int, int, int, str], list[tuple[int, float, Standing]]] = {}
     for course in courses:
-        ends = [course.leaves_s, *(leg.end_s for leg in course.legs)]
-        for leg, since in zip(course.legs, ends, strict=False):
-            if leg.begin_s - since >= MENTIONED_S:
-                key = (
-                    round(leg.begin_m / SAME_M),
-                    round(since / SAME_S),
-                    round(leg.begin_s / SAME_S),
-                )
-                found.setdefault(key, []).append((course.vehicle, leg, since))
+        for one in document.vehicles[course.vehicle].day.stands:
+            if one.lasts_s >= MENTIONED_S:
+                at_m = _stands_at(course, one)
+                when = (round(one.begin_s / SAME_S), round(one.end_s / SAME_S))
+                key = (round(at_m / SAME_M), *when, one.kind)
+                found.setdefault(key, []).append((course.vehicle, at_m, one))
     for who in found.values():
-        _, leg, since = who[0]
-        yield Stand(leg.begin_m, since, leg.begin_s, tuple(vehicle for vehicle, _, _ in who))
+        _, at_m, one = who[0]
+        vehicles = tuple(vehicle for vehicle, _, _ in who)
+        yield Stand(at_m, one.begin_s, one.end_s, vehicles, one.kind)
+
+
+def _stands_at(course: Course, one: Standing) -> float:
+    """Return where the leg begins that follows."""
+    after = (leg.begin_m for leg in course.legs if leg.begin_s >= one.end_s - SAME_S)
+    return next(after, course.legs[-1].end_m)
 
 
 def _spots(document: Document, courses: Sequence[Course]) -> Iterator[Spot]:
@@ -285,6 +293,11 @@ def _spots(document: Document, courses: Sequence[Course]) -> Iterator[Spot]:
     for number, event in enumerate(document.events):
         mover = next((index for index in event.vehicles if index in known), None)
         if mover is None or event.at_s is None:
+            continue
+        if event.until_s is not None:
+            stands = Standing(event.kind, event.at_s, event.until_s)
+            middle_s = (event.at_s + event.until_s) / 2
+            yield Spot(number, _stands_at(known[mover], stands), middle_s)
             continue
         legs = [leg for leg in known[mover].legs if leg.band is not None]
         if event.kind == "merge":
@@ -312,6 +325,9 @@ def _places(document: Document, guide: Course, spots: Sequence[Spot]) -> Iterato
     ]
     for spot in spots:
         event = document.events[spot.event]
+        if event.stands:
+            # Their icons say enough.
+            continue
         found.append(Place(spot.at_m, event.name, len(event.vehicles)))
     merged: list[Place] = []
     for place in sorted(found, key=lambda one: (one.at_m, one.name)):

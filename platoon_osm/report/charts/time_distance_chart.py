@@ -11,13 +11,33 @@ from ..drawing.crowd import MOST_SPOKEN
 from ..drawing.lines import Point
 from ..drawing.palette import LATE, MUTED, TICK
 from ..language.speech import say
+from ..maps.pause_icons import NOUNS
 from ..markup.fragments import NOTHING, Piece, Tree
 from .axes import SIZE, letter_type
 from .sentences import sentence
-from .time_distance import Course, Diagram, diagram_of
+from .time_distance import Course, Diagram, Spot, Stand, diagram_of
 from .time_distance_layout import DiagramLayout, Slot, laid_out_diagram
 
 __all__ = ["time_distance_chart"]
+
+FILLS = {
+    "wait": "url(#hatch)",
+    "break": "#fff",
+    "rest": "#4d5560",
+    "ban": "url(#stripes)",
+    "change": "#17202b",
+}
+"""What fills the box of each kind of standing."""
+
+NOTES = {
+    "break": "diagram.break",
+    "rest": "diagram.rest",
+    "ban": "schedule.ban",
+    "change": "diagram.change",
+}
+
+LEAST_ICON = 15.0
+"""A pause so high bears its icon, in pixels."""
 
 LEAST_WAIT = 3.0
 """A wait is drawn at least so high, in pixels, or it would not be seen."""
@@ -172,7 +192,8 @@ def _waits(document: Document, layout: DiagramLayout) -> Iterator[Piece]:
                 "x": f"{x - 3.5:.1f}",
                 "y": f"{min(top, bottom - LEAST_WAIT):.1f}",
                 "height": f"{max(bottom - top, LEAST_WAIT):.1f}",
-                "title": _waiting(document, stand.vehicles, stand.end_s - stand.begin_s),
+                "title": _standing(document, stand),
+                "fill": FILLS[stand.kind],
             },
         )
 
@@ -278,16 +299,35 @@ def _lines(layout: DiagramLayout, vehicle: int) -> Iterator[Piece]:
 def _events(document: Document, diagram: Diagram, layout: DiagramLayout) -> Iterator[Piece]:
     for spot in diagram.spots:
         event = document.events[spot.event]
+        x, y = layout.x(spot.at_m), layout.y(spot.at_s)
+        if event.until_s is not None:
+            # Where it is drawn beside others that stand there too.
+            x += _aside(layout, event.vehicles, spot)
+            if (event.until_s - (event.at_s or 0.0)) * layout.per_second < LEAST_ICON:
+                continue
         yield Piece(
-            "time-distance-event",
+            "time-distance-pause" if event.stands else "time-distance-event",
             {
                 "index": spot.event,
                 "title": f"{event.name}: {event.text}",
                 "icon": event.kind,
-                "x": f"{layout.x(spot.at_m):.1f}",
-                "y": f"{layout.y(spot.at_s):.1f}",
+                "x": f"{x:.1f}",
+                "y": f"{y:.1f}",
             },
         )
+
+
+def _aside(layout: DiagramLayout, vehicles: Sequence[int], spot: Spot) -> float:
+    """Return how far beside its true place a pause is drawn."""
+    return next(
+        (
+            slot.aside
+            for slot in layout.waits
+            if slot.stand.begin_s < spot.at_s < slot.stand.end_s
+            and not set(vehicles).isdisjoint(slot.stand.vehicles)
+        ),
+        0.0,
+    )
 
 
 def _badges(document: Document, layout: DiagramLayout) -> Iterator[Piece]:
@@ -311,18 +351,23 @@ def _vehicles(vehicles: Sequence[int]) -> str:
     return " ".join(map(str, vehicles))
 
 
-def _waiting(document: Document, vehicles: Sequence[int], seconds: float) -> str:
-    letters = [document.vehicles[index].letter for index in vehicles]
+def _standing(document: Document, stand: Stand) -> str:
+    letters = [document.vehicles[index].letter for index in stand.vehicles]
     who = ", ".join(letters[:MOST_SPOKEN]) + ("\u2026" if len(letters) > MOST_SPOKEN else "")
-    return say("diagram.waits", who=who, time=duration(seconds))
+    time = duration(stand.end_s - stand.begin_s)
+    if stand.kind == "wait":
+        return say("diagram.waits", who=who, time=time)
+    return say("diagram.stands", who=who, what=say(NOUNS[stand.kind][0]), time=time)
 
 
 def _note(document: Document, layout: DiagramLayout) -> str:
     diagram = layout.diagram
     parts = [say("diagram.axes", vehicle=document.vehicles[diagram.guide].letter)]
     parts.append(say("schedule.yellow"))
-    if diagram.waits:
+    kinds = {stand.kind for stand in diagram.waits}
+    if "wait" in kinds:
         parts.append(say("schedule.hatched"))
+    parts += (say(key) for kind, key in NOTES.items() if kind in kinds)
     if any(course.held_from_s is not None for course in diagram.courses):
         parts.append(say("schedule.dotted"))
     asked = ((one.earliest_s, one.latest_s) for one in diagram.courses)

@@ -10,6 +10,7 @@ from ..document.model import Document
 from ..drawing.lines import Point
 from ..drawing.palette import FRAME, INK, LATE, MUTED, PAPER, PLATOON, PLATOON_CASING
 from .paper import WIDTH_IN, axes_of, dash_of
+from .schedule_figure import LOOKS
 from .time_distance import Course, diagram_of
 from .time_distance_layout import DiagramLayout, laid_out_diagram
 
@@ -65,11 +66,15 @@ def _drawn(document: Document, layout: DiagramLayout) -> Figure:
         pen.line(points, PLATOON, width, ROADS)
     for slot in layout.waits:
         x = layout.x(slot.stand.at_m) + slot.aside
-        pen.wait(x, layout.y(slot.stand.begin_s), layout.y(slot.stand.end_s))
+        top, bottom = layout.y(slot.stand.begin_s), layout.y(slot.stand.end_s)
+        pen.wait(x, top, bottom, slot.stand.kind)
     for course in layout.diagram.courses:
         pen.course(document, course)
     for spot in layout.diagram.spots:
-        kind = document.events[spot.event].kind
+        event = document.events[spot.event]
+        if event.stands:
+            continue
+        kind = event.kind
         pen.spot(layout.x(spot.at_m), layout.y(spot.at_s), kind)
     for badge in layout.badges:
         vehicle = document.vehicles[badge.vehicle]
@@ -128,19 +133,9 @@ class _Pen:
             self.line([(x, layout.floor - 3), (x, layout.floor)], MUTED, 0.6, GRID)
             self.text(tick.place, layout.floor + layout.size + 2, tick.text, "center")
 
-    def wait(self, x: float, top: float, bottom: float) -> None:
+    def wait(self, x: float, top: float, bottom: float, kind: str) -> None:
         high = max(bottom - top, 2.5)
-        self.axes.bar(
-            x,
-            high,
-            6,
-            bottom - high,
-            color=PAPER,
-            edgecolor=MUTED,
-            hatch="//////",
-            linewidth=0.6,
-            zorder=LINES,
-        )
+        self.axes.bar(x, high, 6, bottom - high, zorder=LINES, **LOOKS[kind])
 
     def course(self, document: Document, course: Course) -> None:
         layout = self.layout

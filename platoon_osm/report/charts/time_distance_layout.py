@@ -26,6 +26,9 @@ HEAD, FOOT = 26.0, 26.0
 HEIGHTS = ((3, 250.0), (CROWD, 300.0), (math.inf, 360.0))
 """Of the drawing, by number of vehicles."""
 
+PER_HOUR, TALLEST = 18.0, 640.0
+"""An hour is drawn so high at least, as far as the drawing does not become higher than this."""
+
 BESIDE = 14.0
 """Badges stand at most so far left of the scale of distance, clear of the hours."""
 
@@ -266,6 +269,8 @@ def laid_out_diagram(diagram: Diagram, width: float = WIDTH, size: float = SIZE)
     count = len(diagram.courses)
     tall = next(height for most, height in HEIGHTS if count <= most)
     span = diagram.end_s - diagram.begin_s
+    # A day with a night in it is drawn higher, or it would be squeezed into nothing.
+    tall = min(max(tall, span / 3600 * PER_HOUR), TALLEST)
     hours = day_scale(
         diagram.clock,
         diagram.begin_s,

@@ -36,6 +36,8 @@ def as_json(value: object) -> Any:
             for one in fields(value)
             if one.metadata.get("json", True)
         }
+    if isinstance(value, dict):
+        return {name: as_json(item) for name, item in value.items()}
     if isinstance(value, list | tuple):
         return [as_json(item) for item in value]
     # Beyond them is but the last digits of sums; degrees have six behind the point.

@@ -23,10 +23,12 @@ from .checks import check_title
 from .event_marks import event_mark, told_events
 from .findings import Findings, find
 from .journey import rounded
+from .law_clocks import law_of
 from .long_drives import long_drives
 from .map_lines import inferred_routes, platoon_line, solo_line
 from .model import CostLabel, Document
-from .model_map import Basemap
+from .model_map import Basemap, EventMark
+from .pause_marks import pause_marks
 from .place_labels import junction_labels
 from .plan_frame import plan_frame
 from .provenance import provenance
@@ -40,7 +42,7 @@ from .vehicles import vehicle
 
 __all__ = ["DOCUMENT_VERSION", "document_of", "report_document"]
 
-DOCUMENT_VERSION = 3
+DOCUMENT_VERSION = 4
 
 
 def report_document(
@@ -144,6 +146,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
     stops = [(s.lon, s.lat) for one in vehicles for s in (one.origin, one.destination)]
     around = surroundings(plane, stops)
     near = plan_frame(found)
+    law = law_of(plan)
     return Document(
         format="platoon_osm report",
         version=DOCUMENT_VERSION,
@@ -156,6 +159,8 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
                 [one.called for one in vehicles],
                 [one.times for one in vehicles],
                 bool(found.groups),
+                law,
+                plan.remarks,
             )
         ),
         cost_unit=CostLabel(
@@ -171,9 +176,10 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         platoons=tuple(platoon_line(found, number) for number in range(len(found.platoons))),
         solos=tuple(solo_line(found, number) for number in range(len(found.solos))),
         traffic=traffic(found),
-        events=tuple(event_mark(found, number) for number in told_events(found)),
+        events=_events(found),
         journey=rounded(found.scale),
         schedule=timeline(plan),
+        law=law,
         inferred_routes=tuple(inferred_routes(found)),
         towns=around.towns,
         junctions=junction_labels(plane, near),
@@ -185,5 +191,14 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         ground=around.ground,
         provenance=around.told_in(provenance(plan, net, found.unit)),
         levels=found.levels,
-        long_drives=long_drives(found),
+        long_drives=() if law else long_drives(found),
     )
+
+
+def _events(found: Findings) -> tuple[EventMark, ...]:
+    """Return merges and separations in driving order; if vehicles stand, all in order of time."""
+    marks = tuple(event_mark(found, number) for number in told_events(found))
+    pauses = pause_marks(found)
+    if not pauses:
+        return marks
+    return tuple(sorted((*marks, *pauses), key=lambda one: one.at_s or 0.0))

@@ -2,7 +2,7 @@
 
 The curves are read by driving time alone, and the time of day is left out, for not every plan has
 one. What a driver does in a platoon is taken as in the paper: the driving clock stands. So it does
-while a driver waits.
+while a driver waits; after a break or a rest it runs from 0.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from ...costs.fatigue import FITTED_RANGE_S, FatigueModel, driving_clock
 from ...plans.timetable import VehicleTimes
 from ...plans.vehicles import VehiclePlan
 from .model_day import Fatigue, FatigueCurve
+from .stands import stands_of
 
 __all__ = ["fatigue_along"]
 
@@ -38,10 +39,12 @@ def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> Fa
     """
     alone = _curve([("solo", vehicle.alone.time_s)])
     legs: list[tuple[str, float]] = []
+    stands = () if times is None else stands_of(times)
     for number, leg in enumerate(vehicle.legs):
-        if times is not None and times.waits[number]:
-            # The clock stands as in a platoon whose drivers are relieved of all they do.
-            legs.append(("platoon", times.waits[number]))
+        if times is not None:
+            since = times.legs[number - 1][1] if number else times.departure_s
+            here = (one for one in stands if since <= one.begin_s < times.legs[number][0])
+            legs += (("break" if one.restarts else "wait", one.lasts_s) for one in here)
         legs.append((_role(leg.role), leg.time_s))
     joint = _curve(legs)
     return Fatigue(alone, joint, max(alone.values), max(joint.values))
@@ -58,5 +61,5 @@ def _curve(legs: list[tuple[str, float]]) -> FatigueCurve:
     return FatigueCurve(
         hours=tuple(round(float(t) / 3600, 3) for t in time_s),
         values=tuple(round(float(value), 2) for value in values),
-        beyond=bool(clock_s[-1] > FITTED_RANGE_S[1]),
+        beyond=bool(clock_s.max() > FITTED_RANGE_S[1]),
     )

@@ -1,7 +1,7 @@
 """Who drives longer than 4 h 30 at a stretch: where, and when where there are times.
 
-Plans set no breaks yet, so a page says where one falls due. Driving in a platoon is driving; a wait
-of 45 min or more is counted as a break.
+A plan without driving rules sets no breaks, so a page says where one falls due. Driving in a
+platoon is driving; a wait of 45 min or more is counted as a break. Under rules their clocks tell.
 """
 
 from __future__ import annotations

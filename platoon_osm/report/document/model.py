@@ -12,6 +12,7 @@ from typing import NamedTuple
 from ..drawing.lines import Line
 from ..ground.model import Ground
 from .model_day import DaySchedule, JourneyScale, LongDrive
+from .model_law import Law
 from .model_map import (
     Basemap,
     EventMark,
@@ -239,11 +240,13 @@ class Document:
     traffic : Traffic or None
         What a crowd is drawn as; None of few vehicles.
     events : tuple of EventMark
-        Merges and separations in driving order.
+        Merges and separations in driving order, and pauses among them.
     journey : JourneyScale or None
         The common scale of distance; None if there is none.
     schedule : DaySchedule or None
         The day by the clock; None without times.
+    law : Law or None
+        The driving rules by which it was planned, and what they count; None without.
     inferred_routes : tuple of Line
         Where routes follow roads that the loader inferred.
     towns : tuple of TownLabel
@@ -281,6 +284,7 @@ class Document:
     events: tuple[EventMark, ...]
     journey: JourneyScale | None
     schedule: DaySchedule | None
+    law: Law | None
     inferred_routes: tuple[Line, ...]
     towns: tuple[TownLabel, ...]
     junctions: tuple[JunctionLabel, ...]

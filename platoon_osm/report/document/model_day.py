@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from ...plans.clock import Clock, Offsets
 from ..language.speech import zone_text
+from .model_law import Standing
 
 __all__ = [
     "DaySchedule",
@@ -171,6 +172,7 @@ class VehicleDay:
     late_alone_s: float | None
     spans: tuple[tuple[float, float], ...]
     text: VehicleDayTexts
+    stands: tuple[Standing, ...] = field(default=(), metadata={"json": False})
 
     @property
     def is_late(self) -> bool:

@@ -223,18 +223,18 @@ class Traffic:
 
 @dataclass(frozen=True, slots=True)
 class EventMark:
-    """A merge or a separation.
+    """A merge or a separation, or a while in which vehicles stand.
 
     Attributes
     ----------
     kind : str
-        "merge" or "separation".
+        "merge" or "separation"; or "rest", "break", "ban", "change" or "wait".
     lon, lat : float
         Degrees, to 1e-6.
     name : str
         Of the place.
     vehicles : tuple of int
-        Who join or leave.
+        Who join or leave, or stand.
     others : tuple of int
         Who are there, or stay.
     at_m : float or None
@@ -243,6 +243,10 @@ class EventMark:
         When, in seconds from the start of the day; None without times.
     text, detail : str
         What happens, and where and after how long.
+    until_s : float or None
+        Until when vehicles stand; None for what is but a moment.
+    has_parking : bool
+        Whether trucks are known to park there; True for what is but a moment.
     """
 
     kind: str
@@ -255,6 +259,13 @@ class EventMark:
     at_s: float | None
     text: str
     detail: str
+    until_s: float | None = None
+    has_parking: bool = True
+
+    @property
+    def stands(self) -> bool:
+        """Whether vehicles stand for a while, rather than merge or separate."""
+        return self.until_s is not None
 
     def concerns(self, members: frozenset[int]) -> bool:
         """Return whether one of some vehicles joins or leaves here.

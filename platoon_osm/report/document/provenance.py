@@ -29,8 +29,8 @@ OBJECTIVES = {"member": "about.of-member", "system": "about.of-system"}
 
 KINDS = {"bound": "proof.bound", "heuristic": "proof.heuristic"}
 
-LATENESS = "not feasible in time"
-"""Begins the remarks that say who is late, which the page has said already, first of all."""
+NOT_FEASIBLE = "not feasible"
+"""Begins the remarks that the page has told already, first of all."""
 
 PROOF_KEYS = frozenset(
     {"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum", "any_plan"}
@@ -152,8 +152,8 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
 
 
 def _other_remarks(plan: Plan) -> list[str]:
-    """Return the plan's remarks but those of lateness."""
-    return [remark for remark in plan.remarks if not remark.startswith(LATENESS)]
+    """Return the plan's remarks but those that head the page."""
+    return [remark for remark in plan.remarks if not remark.startswith(NOT_FEASIBLE)]
 
 
 def _day(moment: str) -> str:

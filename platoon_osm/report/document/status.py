@@ -1,21 +1,44 @@
-"""What a reader should know of a plan first: who is late, or that all are in time, or alone."""
+"""What a reader should know of a plan first: who is late or beyond the law, or that all is well.
+
+Who is, is told with what would have to give: earlier departures, later arrivals, other company; or
+what the planner itself remarks of a plan that no rules allow.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...driving.rules import RULES
+from ...plans.clock import duration
 from ...plans.lateness import Lateness, who_is_late
+from ...shown_text import fitted
+from ..language.plan_sentences import in_language
 from ..language.speech import late_by, number, say
 from .model import Status
 from .model_day import VehicleDay
+from .model_law import Law
 from .model_vehicle import Vehicle
 from .wording import MOST_NAMED, joined
 
-__all__ = ["lateness", "status"]
+__all__ = ["lateness", "law_name", "status"]
+
+LATENESS = "not feasible in time"
+"""Begins the remarks that say who is late."""
+
+BEYOND = {"spell": "status.spell", "day": "status.day", "duty": "status.duty"}
+NAMES = {"eu561": "law.eu561", "us395": "law.us395"}
+
+
+NOT_FEASIBLE = "not feasible"
+"""Begins the remarks of plans that somebody cannot be in time by, or within the law."""
 
 
 def status(
-    called: Sequence[str], days: Sequence[VehicleDay | None], platoon: bool
+    called: Sequence[str],
+    days: Sequence[VehicleDay | None],
+    platoon: bool,
+    law: Law | None = None,
+    remarks: Sequence[str] = (),
 ) -> Iterator[Status]:
     """Yield what heads the page, in a line each.
 
@@ -27,18 +50,33 @@ def status(
         When each drives; None without times.
     platoon : bool
         Whether anybody drives in company.
+    law : Law or None
+        The driving rules of the plan.
+    remarks : sequence of str
+        Of the plan.
 
     Yields
     ------
     Status
-        Lateness, or that all are in time where latest arrivals were named; and that nobody drives
-        in platoon, if so.
+        Lateness, or that all are in time where latest arrivals were named; likewise of the law;
+        and that nobody drives in platoon, if so.
     """
     found = who_is_late(days)
     if found.late:
-        yield Status("bad", "; ".join((_late(found, len(called)), *_alone(found, called))))
+        parts = (_late(found, len(called)), *_alone(found, called), *_gives(found, remarks))
+        yield Status("bad", "; ".join(parts))
     elif found.asked:
         yield Status("good", say("status.in-time", n=len(called)))
+    others = [one for one in remarks if one.startswith(NOT_FEASIBLE)]
+    for remark in others:
+        if not remark.startswith(LATENESS):
+            yield Status("bad", fitted(in_language(remark)))
+    if law is not None:
+        beyond = list(_beyond(law, called))
+        if beyond:
+            yield Status("bad", "; ".join(beyond))
+        else:
+            yield Status("good", say("status.legal", rules=law_name(law.rules)))
     if not platoon:
         yield Status("plain", say("status.no-platoon", n=len(called)))
 
@@ -58,6 +96,49 @@ def _alone(found: Lateness, called: Sequence[str]) -> Iterator[str]:
         yield say("status.even-alone", n=len(names), who=joined(names))
     elif found.in_time_alone:
         yield say("status.in-time-alone", n=len(found.late))
+
+
+def _gives(found: Lateness, remarks: Sequence[str]) -> Iterator[str]:
+    """Yield what would have to give, where the planner has said so."""
+    if any(one.startswith(LATENESS) for one in remarks):
+        alone = len(found.even_alone) == len(found.late)
+        yield say("status.give-other-times" if alone else "status.give-other-company")
+
+
+def _beyond(law: Law, called: Sequence[str]) -> Iterator[str]:
+    """Yield who goes beyond what is allowed, by how much; of many, how many more."""
+    found = [
+        say(
+            BEYOND[one.clock],
+            who=who,
+            time=duration(one.counted_s),
+            allowed=duration(one.allowed_s),
+        )
+        for who, clocks in zip(called, law.vehicles, strict=True)
+        for one in clocks.excess
+    ]
+    yield from found[:MOST_NAMED]
+    if len(found) > MOST_NAMED:
+        yield say("status.more-beyond", n=len(found) - MOST_NAMED)
+
+
+def law_name(rules: str) -> str:
+    """Return what driving rules are called where they are told.
+
+    Parameters
+    ----------
+    rules : str
+        Their name.
+
+    Returns
+    -------
+    str
+        In the language that is spoken, as far as it is known.
+    """
+    if rules in NAMES:
+        return say(NAMES[rules])
+    known = RULES.get(rules)
+    return known.about if known else fitted(rules)
 
 
 def lateness(vehicles: Sequence[Vehicle]) -> Iterator[str]:

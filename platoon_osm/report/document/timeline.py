@@ -12,6 +12,7 @@ from ...plans.records import Event
 from ...plans.timetable import VehicleTimes
 from ..language.speech import clock_time, day_and_date, late_by, zone_text
 from .model_day import DaySchedule, DayTexts, VehicleDay, VehicleDayTexts
+from .stands import all_waited_s, stands_of, waited_s
 
 __all__ = ["timeline", "vehicle_day", "waits_at"]
 
@@ -35,6 +36,7 @@ def timeline(plan: Plan) -> DaySchedule | None:
     clock = table.clock
     begin = min(times.departure_s for times in table.vehicles)
     end = max(times.arrival_s for times in table.vehicles)
+    waiting_s = all_waited_s(table)
     return DaySchedule(
         start=table.start,
         zone=zone_text(clock),
@@ -42,9 +44,9 @@ def timeline(plan: Plan) -> DaySchedule | None:
         offsets=clock.offsets,
         begin_s=round(begin, 1),
         end_s=round(end, 1),
-        waiting_s=round(table.waiting_s, 1),
+        waiting_s=round(waiting_s, 1),
         feasible=table.feasible,
-        text=DayTexts(day_and_date(clock.moment(begin)), duration(table.waiting_s)),
+        text=DayTexts(day_and_date(clock.moment(begin)), duration(waiting_s)),
         zone_name=clock.name,
     )
 
@@ -77,7 +79,7 @@ def vehicle_day(plan: Plan, index: int) -> VehicleDay | None:
         earliest_departure_s=earliest,
         latest_departure_s=latest,
         latest_arrival_s=arrival,
-        waiting_s=round(times.waiting_s, 1),
+        waiting_s=round(waited_s(times), 1),
         held_s=round(times.held_s, 1),
         # Never 0 of who is late, however little.
         late_s=max(round(times.late_s, 1), 0.1) if times.late_s else 0.0,
@@ -85,6 +87,7 @@ def vehicle_day(plan: Plan, index: int) -> VehicleDay | None:
         # A tenth of a second is 2 m of road.
         spans=tuple((round(begin, 1), round(end, 1)) for begin, end in times.legs),
         text=_texts(times, table.clock),
+        stands=stands_of(times),
     )
 
 
@@ -95,7 +98,7 @@ def _texts(times: VehicleTimes, clock: Clock) -> VehicleDayTexts:
         arrival=clock_time(clock, times.arrival_s),
         earliest="" if earliest is None else clock_time(clock, earliest),
         latest="" if latest is None else clock_time(clock, latest),
-        waiting=duration(times.waiting_s),
+        waiting=duration(waited_s(times)),
         held=duration(times.held_s) if times.held_s >= MENTIONED_S else "",
         late=late_by(times.late_s) if times.late_s else "",
     )
@@ -123,7 +126,9 @@ def waits_at(plan: Plan, event: Event, at: float | None) -> list[tuple[int, floa
     found: list[tuple[int, float]] = []
     for index in sorted((*event.movers, *event.others)):
         times = plan.timetable.vehicles[index]
-        for (begin, _), wait in zip(times.legs, times.waits, strict=True):
-            if wait >= MENTIONED_S and abs(begin - at) < 1:
-                found.append((index, wait))
+        found += (
+            (index, one.lasts_s)
+            for one in stands_of(times)
+            if one.kind == "wait" and one.lasts_s >= MENTIONED_S and abs(one.end_s - at) < 1
+        )
     return found

@@ -11,6 +11,7 @@ from ..markup.quantities import clock_span, kilometres, litres, percent, true_mi
 from .event_marks import told_events
 from .findings import Findings
 from .model import Figure, Group, Totals
+from .stands import all_waited_s
 from .stop_names import brief_name
 from .wording import cost_texts, joined
 
@@ -150,7 +151,7 @@ def _third_figure(found: Findings, alone_l: float, saved_l: float, extra_m: floa
             if saved_l > 0
             else say("totals.no-fuel-saved")
         )
-        return Figure(clock_span(table.waiting_s), say("totals.waiting", fuel=fuel), "plain")
+        return Figure(clock_span(all_waited_s(table)), say("totals.waiting", fuel=fuel), "plain")
     if saved_l <= 0:
         return Figure(true_minus(kilometres(extra_m)), say("totals.further-than-alone"), "plain")
     # Shorter is possible: alone, a vehicle may take a longer road that costs less.

@@ -11,7 +11,7 @@ from ...network.antimeridian import continued_deg
 from ...network.geodesy import metres_per_degree
 from ...network.road_network import RoadNetwork
 from ...network.shapes import ragged_order
-from .lines import Line, Lines
+from .lines import Line, Lines, Undirected
 
 __all__ = [
     "BASEMAP_STEPS",
@@ -36,7 +36,7 @@ Frame = tuple[float, float, float, float]
 """West, south, east and north in degrees."""
 
 BASEMAP_TOLERANCE_M = 40.0
-FAR_TOLERANCE_M = 300.0
+FAR_TOLERANCE_M = 600.0
 """Of roads far from a plan, which are seen from afar only: half the text, and a pixel there."""
 
 ROUTE_TOLERANCE_M = 8.0
@@ -73,7 +73,7 @@ def network_lines(net: RoadNetwork, near: Frame, *, inferred: bool) -> Lines:
         return np.asarray(shapely.get_coordinates(coarse) / scale)
 
     lines = basemap_lines(net, chosen, BASEMAP_TOLERANCE_M)
-    return Lines.rounded(map(drawn, lines), BASEMAP_STEPS)
+    return Undirected.rounded(map(drawn, lines), BASEMAP_STEPS)
 
 
 def route_line(net: RoadNetwork, edges: tuple[int, ...]) -> Line:

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .polyline import encode_steps, rounded_steps
+from .trails import trails
 
-__all__ = ["Line", "Lines", "Point"]
+__all__ = ["Line", "Lines", "Point", "Undirected"]
 
 Point = tuple[float, float]
 
@@ -90,7 +92,7 @@ class Lines:
     lines: tuple[Line, ...]
 
     @classmethod
-    def rounded(cls, lines: Iterable[ArrayLike], steps_per_degree: int) -> Lines:
+    def rounded(cls, lines: Iterable[ArrayLike], steps_per_degree: int) -> Self:
         """Return lines whose points are rounded, in the order in which they are written.
 
         Parameters
@@ -133,6 +135,28 @@ class Lines:
             lon, lat = line.points[0].tolist()
             origin = (lon, lat)
         return " ".join(out)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Undirected(Lines):
+    """Lines whose direction says nothing, so that those which meet may be written as one."""
+
+    def encoded(self) -> str:
+        """Return them as one text.
+
+        Returns
+        -------
+        str
+            As of `Lines`, with fewer and longer lines in which all points are as they are here.
+        """
+        if not self.lines:
+            return ""
+        steps = self.lines[0].steps_per_degree
+        joined = trails([line.points for line in self.lines])
+        # Not through `rounded`, which might round otherwise what is rounded already.
+        found = [Line(points, steps) for points in joined]
+        found.sort(key=lambda line: _row_order(line.points / steps, steps))
+        return Lines(tuple(found)).encoded()
 
 
 def _row_order(line: NDArray[np.float64], steps_per_degree: int) -> tuple[int, int, int, bytes]:

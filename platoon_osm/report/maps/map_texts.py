@@ -11,6 +11,7 @@ from ..document.model import Document
 from ..drawing.crowd import MANY_EVENTS
 from ..drawing.lines import Point
 from ..language.speech import say
+from .pause_icons import NOUNS
 from .placement import SOLID, Box, Cover, crosses
 
 __all__ = ["NAME_SIZE", "Callout", "clipped", "placed_callouts", "placed_names", "text_width"]
@@ -71,7 +72,7 @@ def placed_callouts(
         if place is None:
             continue
         x, y = place
-        head = clipped(f"{say(f'script.mark-{event.kind}')}: {event.name}", 11.5, True)
+        head = clipped(f"{say(NOUNS[event.kind][0])}: {event.name}", 11.5, True)
         line = clipped(event.text, 11)
         width = 16 + max(text_width(head, 11.5, True), text_width(line, 11))
         choices = list(_around(x, y, width, CALLOUT_HEIGHT, (16, 30, 48, 70, 100)))

@@ -19,6 +19,7 @@ from ..drawing.vehicle_styles import letter_size
 from ..language.speech import say
 from ..markup.fragments import NOTHING, Piece, Tree
 from .map_view import MapView
+from .pause_icons import NOUNS
 from .placement import Box
 
 __all__ = ["Mark", "mark_pieces", "placed_marks"]
@@ -57,8 +58,8 @@ class Mark:
 
     Attributes
     ----------
-    kind : {"merge", "separation", "start", "end"}
-        What is there.
+    kind : str
+        What is there: "start", "end", or the kind of an event.
     x, y : float
         Its middle, in pixels.
     spot : tuple of float
@@ -75,6 +76,8 @@ class Mark:
         Position of the event that has this mark for itself.
     is_late : bool
         Whether someone arrives too late here, which a badge tells.
+    has_parking : bool
+        Whether trucks are known to park there; if not, a badge tells.
     """
 
     kind: str
@@ -88,6 +91,7 @@ class Mark:
     scale: float = 1.0
     event: int | None = None
     is_late: bool = False
+    has_parking: bool = True
 
     @property
     def box(self) -> Box:
@@ -102,8 +106,8 @@ class Mark:
 
     @property
     def is_event(self) -> bool:
-        """Whether vehicles merge or separate there."""
-        return self.kind in ("merge", "separation")
+        """Whether vehicles merge, separate or stand there, rather than start or end."""
+        return self.kind not in ("start", "end")
 
 
 def placed_marks(
@@ -138,7 +142,10 @@ def placed_marks(
         title = "; ".join(f"{event.name}, {event.text}" for event in events[:MOST_TOLD])
         title = f"{_noun(kind, len(events))}: {title}"
         letter, number = ("", numbers[0]) if one else (str(len(events)), None)
-        mark = Mark(kind, x, y, spot, half, title, letter=letter, scale=scale, event=number)
+        mark = Mark(
+            kind, x, y, spot, half, title, letter=letter, scale=scale, event=number,
+            has_parking=all(event.has_parking for event in events),
+        )  # fmt: skip
         marks.append(mark)
     ends = (
         ("start", "origin", places.origins),
@@ -192,7 +199,9 @@ def mark_pieces(marks: list[Mark]) -> list[Piece]:
 def _piece(mark: Mark) -> Piece:
     common = {"x": f"{mark.x:.1f}", "y": f"{mark.y:.1f}", "scale": f"{mark.scale:g}"}
     if mark.is_event:
-        count = Piece("static-count", {"count": mark.letter}) if mark.letter else NOTHING
+        count: Tree = Piece("static-count", {"count": mark.letter}) if mark.letter else NOTHING
+        if not mark.has_parking:
+            count = (count, Piece("static-unknown"))
         title = mark.title
         return Piece("static-event", {**common, "icon": mark.kind, "title": title, "count": count})
     late: dict[str, Tree] = {}
@@ -222,7 +231,7 @@ def _tie(mark: Mark) -> Iterator[Piece]:
 
 def _noun(kind: str, count: int) -> str:
     """Return what events of a kind are called, with their number if there are several."""
-    return say(f"script.mark-{kind}") if count == 1 else say(f"script.mark-{kind}s", n=count)
+    return say(NOUNS[kind][0]) if count == 1 else say(NOUNS[kind][1], n=count)
 
 
 def _is_late(vehicle: Vehicle) -> bool:

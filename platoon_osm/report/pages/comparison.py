@@ -17,6 +17,7 @@ from ..document.side_by_side import Comparison, comparison_of
 from ..document.wording import joined
 from ..drawing.palette import CROWD
 from ..language.speech import say, speaking
+from ..maps.pause_icons import pause_icons
 from ..maps.static_map import small_maps
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, percent, true_minus
@@ -91,7 +92,7 @@ def _page(comparison: Comparison) -> str:
     body = Piece(
         "comparison",
         {
-            "icons": Piece("icons"),
+            "icons": Piece("icons", {"more": pause_icons(plans)}),
             "title": comparison.title,
             "subtitle": comparison.subtitle,
             "remarks": tuple(

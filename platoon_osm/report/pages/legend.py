@@ -9,10 +9,18 @@ from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
 from ..language.speech import say
 from ..maps.lanes import band_lines
+from ..maps.pause_icons import pause_kinds
 from ..markup.fragments import NOTHING, Piece, Tree
 
 __all__ = ["legend"]
 
+PAUSES = {
+    "rest": "legend.rests",
+    "break": "legend.breaks",
+    "ban": "legend.bans",
+    "change": "legend.changes",
+    "wait": "legend.waits",
+}
 VEHICLES = {"master": "legend.master", "alone": "legend.stays-alone"}
 
 
@@ -66,6 +74,11 @@ def _rows(document: Document) -> Iterator[Tree]:
         yield _row("merge", Piece("swatch-merge"), say("legend.merges"))
     if "separation" in kinds:
         yield _row("separation", Piece("swatch-separation"), say("legend.separations"))
+    for kind in pause_kinds(document):
+        yield _row(kind, Piece("swatch-pause", {"kind": kind}), say(PAUSES[kind]))
+    if not all(event.has_parking for event in document.events):
+        text = say("legend.no-parking")
+        yield Piece("legend-plain", {"swatch": Piece("swatch-unknown"), "text": text})
     yield _row("network", Piece("swatch-network"), say("legend.network"))
     if document.basemap.inferred:
         yield _row("inferred", Piece("swatch-inferred"), say("legend.inferred"))

@@ -1,7 +1,8 @@
 """The document as it stands in a page: written short, records as columns, named places as lines.
 
 The script of the page puts them back (scene.js), so that it works on the document as
-docs/report.md has it; but for the fatigue along the day, which still charts alone show.
+docs/report.md has it; but for the fatigue and the law's clocks along the day, which still charts
+alone show.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ def page_data(document: Document, tiles: Tiles | None) -> str:
         JSON that cannot end the element it stands in.
     """
     whole = as_json(document)
+    whole["law"] = None
     for vehicle in whole["vehicles"]:
         del vehicle["fatigue"]
     return json_for_html(

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from ..document.model import Document, Figure, Status
 from ..document.model_vehicle import CostTexts, Vehicle
 from ..language.speech import say
+from ..maps.pause_icons import pause_icons
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss
 
@@ -39,7 +40,10 @@ def opening(document: Document) -> Piece:
     Piece
         The beginning of the body.
     """
-    return Piece("opening", {"icons": Piece("icons"), "title": document.title})
+    return Piece(
+        "opening",
+        {"icons": Piece("icons", {"more": pause_icons([document])}), "title": document.title},
+    )
 
 
 def heading(document: Document) -> Piece:

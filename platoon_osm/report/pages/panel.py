@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from ..charts.along_chart import along_chart
 from ..charts.driving_note import driving_note
 from ..charts.fatigue_chart import fatigue_chart
+from ..charts.law_chart import law_chart
 from ..charts.schedule_chart import schedule_chart
 from ..charts.time_distance_chart import time_distance_chart
 from ..charts.waiting_bars import waiting_bars
@@ -15,6 +16,7 @@ from ..document.model import Document, Group
 from ..document.model_vehicle import CostTexts, Vehicle
 from ..drawing.crowd import CROWD
 from ..language.speech import say
+from ..maps.pause_icons import NOUNS
 from ..maps.static_map import static_map
 from ..markup.fragments import NOTHING, Piece, Tree
 from .cost_bars import cost_bars
@@ -58,7 +60,7 @@ def page_body(document: Document, live_map: Tree, languages: Tree = NOTHING) -> 
             "languages": languages,
             "journey": _journey(document),
             "vehicles": _vehicles(document),
-            "fatigue": (fatigue_chart(document), driving_note(document)),
+            "fatigue": (law_chart(document), fatigue_chart(document), driving_note(document)),
             "notes": _notes(document),
             "about": about(
                 document,
@@ -168,7 +170,7 @@ def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
                 "index": index,
                 "vehicles": " ".join(map(str, (*event.vehicles, *event.others))),
                 "number": index + 1,
-                "kind": say("events.merge" if event.kind == "merge" else "events.separation"),
+                "kind": say(NOUNS[event.kind][0]),
                 "icon": event.kind,
                 "name": event.name,
                 "text": event.text,
@@ -178,7 +180,13 @@ def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
         for index, event in enumerate(document.events)
         if event.concerns(here)
     ]
-    return Piece("events", {"key": key, "items": tuple(found)}) if found else NOTHING
+    stands = any(event.stands for event in document.events)
+    heading = say("events.with-pauses" if stands else "events.heading")
+    return (
+        Piece("events", {"key": key, "heading": heading, "items": tuple(found)})
+        if found
+        else (NOTHING)
+    )
 
 
 def _notes(document: Document) -> Tree:

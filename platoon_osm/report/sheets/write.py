@@ -148,7 +148,7 @@ def _page(title: str, journeys: Sequence[Journey]) -> str:
     body = Piece(
         "sheets",
         {
-            "icons": Piece("icons"),
+            "icons": Piece("icons", {"more": NOTHING}),
             "contents": _contents(journeys) if len(journeys) > 1 else NOTHING,
             "sheets": tuple(map(sheet, journeys)),
         },

@@ -1,0 +1,240 @@
+"""Breaks, rests, bans and the law's clocks: on page, map and charts, in every language."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hostile_names import HOSTILE
+from rested_plans import MIN, H, corridor, corridor_with_breaks, two_days
+
+from platoon_osm.driving.state import DriverState
+from platoon_osm.plans.pauses import Pause
+from platoon_osm.plans.plan import Plan
+from platoon_osm.report import report_document, write_html
+from platoon_osm.report.document.document import document_of
+from platoon_osm.report.document.stands import stands_of, waited_s
+
+
+def events_of(plan: Plan, language: str = "en") -> list[dict[str, Any]]:
+    return report_document(plan, corridor_with_breaks()[1], language=language)["events"]
+
+
+# -- what is told ----------------------------------------------------------------------------------
+
+
+def test_pauses_are_events_in_order_of_time() -> None:
+    events = events_of(corridor_with_breaks()[0])
+    assert [one["at_s"] for one in events] == sorted(one["at_s"] for one in events)
+    told = [(one["kind"], one["name"], one["text"]) for one in events if one["until_s"]]
+    assert told == [
+        ("break", "Autoparco Brescia Est", "08:52, A, B and C: break, 45 min"),
+        ("break", "Nogaredo", "11:05, C: break, 30 min"),
+        ("ban", "Laimburg", "12:25, C: driving ban, 1 h 30 min"),
+        ("break", "San Giorgio di Nogaro - Porpetto", "12:48, A: first part of a break, 15 min"),
+    ]
+    shared, own, ban, bare = (one for one in events if one["until_s"])
+    assert shared["vehicles"] == [0, 1, 2]
+    assert shared["detail"] == "until 09:37, rest area, truck spaces: 400"
+    assert own["detail"] == "until 11:35, service area, also waiting for others"
+    assert [one["has_parking"] for one in (shared, own, ban, bare)] == [True, True, True, False]
+    assert bare["detail"] == "until 13:03, no known parking"
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [
+        ("de", "08:52, A, B und C: Pause, 45 min"),
+        ("it", "08:52, A, B e C: pausa, 45 min"),
+    ],
+)
+def test_pauses_in_other_languages(language: str, text: str) -> None:
+    assert text in [one["text"] for one in events_of(corridor_with_breaks()[0], language)]
+
+
+def test_a_gap_is_told_by_its_pause_and_the_rest_of_it_is_waiting() -> None:
+    plan, _ = corridor_with_breaks()
+    for times in plan.times:
+        assert times is not None
+        stands = stands_of(times)
+        assert sum(one.lasts_s for one in stands) == pytest.approx(times.waiting_s)
+        own = sum(pause.duration_s for pause in times.pauses)
+        assert waited_s(times) == pytest.approx(times.waiting_s - own)
+    b = plan.times[1]
+    assert b is not None
+    assert [one.kind for one in stands_of(b)] == ["wait", "break"]
+    # A pause within a longer gap leaves waiting before and after it.
+    leg = b.pauses[0].before
+    begin, end = b.legs[leg - 1][1], b.legs[leg][0]
+    part = Pause(leg, ("second_part",), begin + 300, end - 600)
+    stands = stands_of(replace(b, pauses=(part,)))[1:]
+    assert [(one.kind, one.restarts) for one in stands] == [
+        ("wait", False), ("break", True), ("wait", False),
+    ]  # fmt: skip
+    assert [one.lasts_s for one in stands] == pytest.approx([300, 1800, 600])
+
+
+# -- the law's clocks ------------------------------------------------------------------------------
+
+
+def walked(plan: Plan, index: int) -> tuple[float, float, float]:
+    """The most of each clock, walked through the day minute by minute."""
+    times = plan.times[index]
+    assert times is not None
+    driver = times.drivers[0]
+    spell, day = driver.state.driven_since_break_s, driver.state.driven_today_s
+    duty = driver.state.duty_s or 0.0
+    asleep = driver.state.duty_s is None
+    most = [0.0, 0.0, 0.0]
+    at = min(driver.state_at_s, times.legs[0][0])
+    stood, step = 0.0, 10.0
+    while at < times.arrival_s:
+        middle = at + step / 2
+        if any(begin <= middle < end for begin, end in times.legs):
+            if stood >= 45 * MIN:
+                spell = 0.0
+            if stood >= 9 * H:
+                day = duty = 0.0
+            stood, asleep = 0.0, False
+            spell, day, duty = spell + step, day + step, duty + step
+            most = [max(pair) for pair in zip(most, (spell, day, duty), strict=True)]
+        else:
+            stood += step
+            duty += 0.0 if asleep else step
+        at += step
+    return most[0], most[1], most[2]
+
+
+STATE = DriverState(driven_since_break_s=H, driven_today_s=3 * H, duty_s=5 * H)
+
+
+@pytest.mark.parametrize("state", [DriverState(), STATE])
+def test_clocks_are_those_of_a_walk_through_the_day(state: DriverState) -> None:
+    plan, net = two_days()
+    assert plan.timetable is not None
+    table = replace(plan.timetable, vehicles=tuple(
+        replace(one, drivers=(replace(one.drivers[0], state=state),))
+        for one in plan.timetable.vehicles
+    ))  # fmt: skip
+    given = replace(plan, timetable=table)
+    law = report_document(given, net)["law"]
+    for index, clocks in enumerate(law["vehicles"]):
+        found = clocks["spell_s"], clocks["day_s"], clocks["duty_s"]
+        assert found == pytest.approx(walked(given, index), abs=40)
+
+
+def test_who_goes_beyond_the_law_is_told_first() -> None:
+    plan, net = two_days()
+    document = report_document(plan, net)
+    (bad,) = (one["text"] for one in document["status"] if one["kind"] == "bad")
+    assert bad.startswith("A drives 5 h 53 min without a break (4 h 30 min are allowed); B drives ")
+    spell, _ = (one["excess"] for one in document["law"]["vehicles"])
+    assert [one["clock"] for one in spell] == ["spell"]
+    # Half past four hours after it leaves.
+    assert spell[0]["at_s"] == pytest.approx(4.5 * H, abs=60)
+    # 9 h 21 are driven on the first day, which a long day allows.
+    assert document["law"]["vehicles"][0]["allowed"] == {
+        "spell": 4.5 * H, "day": 10 * H, "duty": 13 * H,
+    }  # fmt: skip
+
+
+def test_a_legal_plan_says_so_and_what_cannot_be_is_told_first() -> None:
+    plan, net = corridor_with_breaks()
+    status = report_document(plan, net)["status"]
+    assert {"kind": "good", "text": "Legal under Regulation (EC) 561/2006 and Directive 2002/15/EC"
+            } in status  # fmt: skip
+    remark = "not feasible under eu561: A needs 30 min more; give a later arrival"
+    told = report_document(replace(plan, remarks=(remark,)), net)
+    assert {"kind": "bad", "text": remark} in told["status"]
+    assert remark not in told["provenance"]["remarks"]
+
+
+def test_a_followers_clock_is_slowed_where_its_task_is_relieved() -> None:
+    plan, net = corridor_with_breaks()
+    assert plan.timetable is not None
+    relieved = replace(plan, timetable=replace(plan.timetable, task_relief=1.0))
+    alone, none = (report_document(one, net)["law"]["vehicles"] for one in (relieved, plan))
+    # A leads, so its clock runs on; B drives alone on its own roads only.
+    assert alone[0]["day_s"] == none[0]["day_s"]
+    together = sum(leg.time_s for leg in plan.vehicles[1].legs if leg.role == "platoon")
+    assert alone[1]["day_s"] == pytest.approx(none[1]["day_s"] - together, abs=1)
+
+
+def test_fatigue_falls_at_a_break_and_not_at_a_first_part() -> None:
+    plan, net = corridor_with_breaks()
+    a, _, c = (one.fatigue.joint.values for one in document_of(plan, net).vehicles)
+    falls = [sum(after < before for before, after in pairwise(one))
+             for one in (a, c)]  # fmt: skip
+    assert falls == [1, 2]
+    without = document_of(corridor(), net).vehicles[0].fatigue.joint.values
+    assert list(without) == sorted(without)
+
+
+# -- how it is drawn -------------------------------------------------------------------------------
+
+
+def test_each_kind_has_its_own_shape_and_only_what_is_there_is_explained(tmp_path: Path) -> None:
+    plan, net = corridor_with_breaks()
+    path = tmp_path / "page.html"
+    write_html(plan, net, path)
+    text = path.read_text("utf-8")
+    assert "Outlined box: break" in text
+    assert "Red stripes: driving ban." in text
+    assert "Dark bar: rest." not in text
+    assert 'id="icon-break"' in text
+    assert 'id="icon-rest"' not in text
+    assert 'data-layer="break"' in text
+    assert "No known parking" in text
+    # The schedule tells the minutes, and the bar of waiting leaves breaks out.
+    schedule = text[text.index('id="t-schedule"') :].partition("</svg>")[0]
+    assert len(re.findall(">45</text>", schedule)) == 3
+    assert "url(#stripes)" in schedule
+    assert "39 min" in text
+    assert path.stat().st_size < 455_000
+    write_html(corridor(), net, path)
+    text = path.read_text("utf-8")
+    assert "icon-break" not in text
+    assert "stripes" not in text
+
+
+def spoiled(plan: Plan, name: str) -> Plan:
+    """The same plan with a hostile name at every place where somebody stands."""
+    assert plan.timetable is not None
+    vehicles = tuple(
+        replace(one, pauses=tuple(
+            replace(pause, place=pause.place and replace(pause.place, name=name))
+            for pause in one.pauses
+        ))
+        for one in plan.timetable.vehicles
+    )  # fmt: skip
+    return replace(plan, timetable=replace(plan.timetable, vehicles=vehicles))
+
+
+@pytest.mark.browser
+def test_pauses_in_the_browser(visit: Any, tmp_path: Path) -> None:
+    plan, net = corridor_with_breaks()
+    path = tmp_path / "hostile.html"
+    worst = "".join(HOSTILE[:8]) + '"><img src=x onerror=window.hacked=1>'
+    write_html(spoiled(plan, worst), net, path)
+    opened = visit(path, reduced_motion="reduce")
+    page = opened.page
+    assert page.locator(".event-mark").count() == 8
+    page.locator(".events .event").nth(2).focus()
+    page.keyboard.press("Enter")
+    assert page.evaluate("map_plan.getZoom()") > 10
+    assert page.evaluate("window.hacked") is None
+    # The slider tells who is on a break, and who stands for a ban.
+    slider = page.locator(".journey input")
+    slider.evaluate("e => { e.value = 250; e.dispatchEvent(new Event('input')); }")
+    assert page.locator(".states").text_content() == "A, B, C on a break"
+    slider.evaluate("e => { e.value = 480; e.dispatchEvent(new Event('input')); }")
+    assert "C held by a driving ban" in page.locator(".states").text_content()
+    # Switched off in the legend, breaks are gone from the map.
+    page.locator('[data-layer="break"]').uncheck()
+    assert page.locator(".event-mark").count() == 5
+    assert page.evaluate("document.documentElement.scrollWidth") <= 1440
+    opened.check(path)
