@@ -15,7 +15,7 @@ interrupts the rest that was chosen is not driving of the day (Addendum, point 4
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from .activities import DAY, HOUR, WEEK, Activity, Record, clock_span, crossing
@@ -63,18 +63,10 @@ class _Choice:
     start_s: int
     driven_s: int
     reduced: int
-    long_days: tuple[int, int]
-    """In the week in which the day begins, and in the next."""
+    long_days: tuple[int, ...]
+    """The weeks in which long days were counted, each as often as it was."""
     days: tuple[Day, ...] = ()
     found: tuple[Violation, ...] = ()
-
-    def beats(self, other: _Choice) -> bool:
-        return (
-            badness(self.found) <= badness(other.found)
-            and self.reduced <= other.reduced
-            and self.long_days[0] <= other.long_days[0]
-            and self.long_days[1] <= other.long_days[1]
-        )
 
 
 def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[Violation, ...]]:
@@ -105,30 +97,43 @@ def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[
     drives = [activity for activity in record if activity.driven_s]
     mains = taken(rests, REDUCED_S)
     firsts = taken(rests, FIRST_PART_S)
-    used = (start.long_days_used, 0)
-    if began_s // WEEK < record[0].start_s // WEEK:
+    week = record[0].start_s // WEEK
+    long_days = (week,) * start.long_days_used
+    if began_s // WEEK < week:
         # Nothing is known of the week before, so no long day of it is left.
-        used = (MOST_LONG_DAYS, start.long_days_used)
-    first = _Choice(began_s, start.driven_today_s, start.reduced_rests_used, used)
+        long_days += (week - 1,) * MOST_LONG_DAYS
+    first = _Choice(began_s, start.driven_today_s, start.reduced_rests_used, long_days)
+    within_s = TEAM_WITHIN_S if start.drivers > 1 else WITHIN_S
     reached: list[list[_Choice]] = [[first], *([] for _ in rests)]
     for after in range(len(rests)):
         for choice in _best(reached[after]):
-            for main in mains:
-                if main.first >= after:
-                    parts = [one for one in firsts if after <= one.first and one.last < main.first]
-                    for split in (None, *parts):
-                        reached[main.last + 1] += _next_day(choice, main, split, drives, start)
-    last = min(_best(reached[-1]), key=lambda choice: badness(choice.found))
+            for main in _usable(mains, after, choice.start_s + within_s):
+                parts = [one for one in firsts if after <= one.first and one.last < main.first]
+                for split in (None, *parts):
+                    reached[main.last + 1] += _next_day(choice, main, split, drives, within_s)
+    last = min(reached[-1], key=lambda choice: badness(choice.found))
     return last.days, last.found
 
 
+def _usable(mains: Sequence[RestTaken], after: int, until_s: int) -> list[RestTaken]:
+    """Return the rests that may end a day; none after one that lasts until its time is over.
+
+    Of later rests nothing would count, and all driving until then would.
+    """
+    last = next(
+        main.first
+        for main in mains
+        if main.first >= after and not main.interruptions and main.end_s >= until_s
+    )
+    return [main for main in mains if after <= main.first <= last]
+
+
 def _best(choices: Sequence[_Choice]) -> list[_Choice]:
-    kept: list[_Choice] = []
-    for choice in choices:
-        if not any(other.beats(choice) for other in kept):
-            kept = [other for other in kept if not choice.beats(other)]
-            kept.append(choice)
-    return kept
+    """Return the choices with the least too much, for each use of reduced rests and long days."""
+    kept: dict[tuple[int, tuple[int, ...]], _Choice] = {}
+    for choice in sorted(choices, key=lambda one: badness(one.found)):
+        kept.setdefault((choice.reduced, tuple(sorted(choice.long_days))), choice)
+    return list(kept.values())
 
 
 def _next_day(
@@ -136,7 +141,7 @@ def _next_day(
     main: RestTaken,
     split: RestTaken | None,
     drives: Sequence[Activity],
-    start: DriverStart,
+    within_s: int,
 ) -> Iterator[_Choice]:
     """Yield what follows if a day ends with a rest, after the first part of it or without one."""
     parts = [main] if split is None else [split, main]
@@ -146,8 +151,8 @@ def _next_day(
         return
     if main.interruptions and split is None and main.rest_s < REGULAR_S:
         return  # a reduced daily rest must not be interrupted
-    team = start.drivers > 1
-    until_s = choice.start_s + (TEAM_WITHIN_S if team else WITHIN_S)
+    team = within_s == TEAM_WITHIN_S
+    until_s = choice.start_s + within_s
     rest_s = main.rest_before(until_s)
     whole = rest_s >= (REDUCED_S if team or split is not None else REGULAR_S)
     reduced = choice.reduced
@@ -159,8 +164,11 @@ def _next_day(
         else:
             nine = split is not None or (reduced < MOST_REDUCED and not main.interruptions)
             least_s = REDUCED_S if team or nine else REGULAR_S
-            article = "5" if team else "4" if may_be_reduced else "2"
-            found += (_too_little(main, rest_s, least_s, until_s, article),)
+            over_s = least_s - rest_s + max(0, main.start_s - until_s)
+            article = f"561/2006 Art. 8({'5' if team else '4' if may_be_reduced else '2'})"
+            text = f"{clock_span(rest_s)} of daily rest within {clock_span(within_s)}, "
+            text += f"{clock_span(least_s)} needed"
+            found += (Violation(article, until_s - least_s, over_s, text),)
     if main.rest_s >= WEEKLY_S:
         reduced = 0
     day = Day(choice.start_s, main.start_s, main.end_s)
@@ -168,24 +176,15 @@ def _next_day(
         choice, start_s=main.end_s, driven_s=0, reduced=reduced, days=(*choice.days, day),
         found=found,
     )  # fmt: skip
-    own = [drive for drive in drives if _counts(drive, day, parts)]
+    own = [drive for drive in drives if _counts(drive, day, split)]
     yield from _driven(after, own, choice.driven_s, day)
 
 
-def _too_little(
-    main: RestTaken, rest_s: int, least_s: int, until_s: int, article: str
-) -> Violation:
-    within = clock_span(TEAM_WITHIN_S if article == "5" else WITHIN_S)
-    text = f"{clock_span(rest_s)} of daily rest within {within}, {clock_span(least_s)} needed"
-    over_s = least_s - rest_s + max(0, main.start_s - until_s)
-    return Violation(f"561/2006 Art. 8({article})", until_s - least_s, over_s, text)
-
-
-def _counts(drive: Activity, day: Day, parts: Iterable[RestTaken]) -> bool:
-    """Return whether a drive is driving of the day, and does not interrupt its rest."""
-    return day.start_s <= drive.start_s < day.end_s and not any(
-        part.start_s <= drive.start_s < part.end_s for part in parts
-    )
+def _counts(drive: Activity, day: Day, split: RestTaken | None) -> bool:
+    """Return whether a drive is driving of the day, and does not interrupt a part of its rest."""
+    if split is not None and split.start_s < drive.start_s < split.end_s:
+        return False
+    return day.start_s <= drive.start_s and drive.end_s <= day.end_s
 
 
 def _driven(
@@ -193,24 +192,17 @@ def _driven(
 ) -> Iterator[_Choice]:
     """Yield the choices of a week in which a day is a long one, if it is."""
     total_s = driven_s + sum(drive.driven_s for drive in drives)
-    first = day.start_s // WEEK
-    used = {first: after.long_days[0], first + 1: after.long_days[1]}
-    weeks = {first, (day.end_s - 1) // WEEK} if total_s > DRIVING_S else set()
-    usable = [one for one in sorted(weeks) if used.get(one, 0) < MOST_LONG_DAYS]
-    choices: list[int | None] = [*usable] if usable else [None]
-    for one in choices:
-        counts = dict(used)
-        if one is not None:
-            counts[one] = counts.get(one, 0) + 1
-        most_s = DRIVING_S if one is None else LONG_DRIVING_S
+    weeks = {day.start_s // WEEK, (day.end_s - 1) // WEEK} if total_s > DRIVING_S else set()
+    usable = [week for week in sorted(weeks) if after.long_days.count(week) < MOST_LONG_DAYS]
+    used: list[tuple[int, ...]] = [(week,) for week in usable] or [()]
+    for week in used:
+        most_s = LONG_DRIVING_S if week else DRIVING_S
         found = after.found
         if total_s > most_s:
             at_s = _when(drives, driven_s, most_s, day)
             text = f"{clock_span(total_s)} driven in a day, {clock_span(most_s)} allowed"
             found += (Violation("561/2006 Art. 6(1)", at_s, total_s - most_s, text),)
-        week = day.next_s // WEEK
-        long_days = (counts.get(week, 0), counts.get(week + 1, 0))
-        yield replace(after, long_days=long_days, found=found)
+        yield replace(after, long_days=after.long_days + week, found=found)
 
 
 def _when(drives: Sequence[Activity], driven_s: int, most_s: int, day: Day) -> int:

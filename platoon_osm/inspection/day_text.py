@@ -10,7 +10,7 @@ import re
 from collections.abc import Sequence
 
 from ..errors import ScenarioError, brief
-from .activities import DAY, HOUR, MINUTE, Activity, Record, record_of
+from .activities import DAY, HOUR, MINUTE, WEEK, Activity, Record, record_of
 
 __all__ = ["day_of", "moment_of"]
 
@@ -21,7 +21,7 @@ _ITEM = re.compile(r"(?:(\d+)h)?(?:(\d+)(?:m|(?= )))?(?:(\d+)s)? ([a-z]+)(?:/(\d
 
 
 def moment_of(text: str) -> int:
-    """Return the moment of "Tue 06:30", in the first week.
+    """Return the moment of "Tue 06:30" in the first week, or of "2Tue 06:30" in the second.
 
     Parameters
     ----------
@@ -34,7 +34,9 @@ def moment_of(text: str) -> int:
         After Monday 0:00 [s].
     """
     day, hour, minute = re.split("[ :]", text)
-    return DAYS.index(day) * DAY + int(hour) * HOUR + int(minute) * MINUTE
+    weeks = int(day[:-3] or 1) - 1
+    days = DAYS.index(day[-3:])
+    return weeks * WEEK + days * DAY + int(hour) * HOUR + int(minute) * MINUTE
 
 
 def day_of(text: str, start: str = "Mon 06:00") -> Record:

@@ -68,8 +68,7 @@ def _by_week(drive: Activity) -> list[Activity]:
     pieces = []
     for start_s, end_s in itertools.pairwise(moments):
         relieved = [
-            drive.relieved_s * (at_s - drive.start_s) // max(1, drive.span_s)
-            for at_s in (start_s, end_s)
+            drive.relieved_s * (at_s - drive.start_s) // drive.span_s for at_s in (start_s, end_s)
         ]
         pieces.append(Activity("drive", start_s, end_s, relieved[1] - relieved[0]))
     return pieces

@@ -6,6 +6,7 @@ Rest is a pause. So is the time beside the one who drives, if it is 45 min with 
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -53,22 +54,20 @@ def drives_and_pauses(record: Record) -> Iterator[Activity | Pause]:
     Activity or Pause
         In order of time.
     """
-    pause: Pause | None = None
-    resting_since_s = 0
+    parts: list[Activity] = []
     for activity in record:
-        beside = activity.kind == "passenger"
-        if not (activity.is_rest or beside):
-            if pause is not None:
-                yield pause
-            pause = None
-            yield activity
+        if activity.is_rest or activity.kind == "passenger":
+            parts.append(activity)
             continue
-        if pause is None:
-            pause = Pause(activity.start_s, activity.start_s, 0)
-            resting_since_s = activity.start_s
-        if beside:
-            resting_since_s = activity.end_s
-        rest_s = max(pause.rest_s, activity.end_s - resting_since_s)
-        pause = Pause(pause.start_s, activity.end_s, rest_s)
-    if pause is not None:
-        yield pause
+        if parts:
+            yield _pause(parts)
+            parts = []
+        yield activity
+    if parts:
+        yield _pause(parts)
+
+
+def _pause(parts: list[Activity]) -> Pause:
+    runs = itertools.groupby(parts, key=lambda part: part.is_rest)
+    rests = [sum(part.span_s for part in run) for is_rest, run in runs if is_rest]
+    return Pause(parts[0].start_s, parts[-1].end_s, max(rests, default=0))

@@ -106,7 +106,7 @@ def rests_of(record: Record) -> list[Rest]:
     Parameters
     ----------
     record : tuple of Activity
-        Without gaps.
+        Without gaps, and not empty.
 
     Returns
     -------
@@ -123,7 +123,7 @@ def rests_of(record: Record) -> list[Rest]:
             found.append(Rest(before.start_s, activity.end_s, before.on_ferry or on_ferry))
         else:
             found.append(Rest(activity.start_s, activity.end_s, on_ferry))
-    end_s = record[-1].end_s if record else 0
+    end_s = record[-1].end_s
     if found and found[-1].end_s == end_s:
         last = found.pop()
         return [*found, Rest(last.start_s, FOREVER, last.on_ferry)]

@@ -69,7 +69,7 @@ def weekly_rests(record: Record, start: DriverStart) -> list[Violation]:
     for some in chosen:
         weekly = sorted([*surely, *some], key=lambda rest: rest.start_s)
         found = [
-            *_late(weekly, ended_s, record[-1].end_s),
+            *_late(weekly, ended_s),
             *_missing(weekly, began_s, record[-1].end_s),
             *_not_made_up(weekly, [rest for rest in singles if rest not in weekly]),
         ]
@@ -87,15 +87,14 @@ def _longest(rests: Sequence[RestTaken]) -> list[RestTaken]:
     return sorted(kept, key=lambda one: one.start_s)
 
 
-def _late(weekly: Sequence[RestTaken], ended_s: int, end_s: int) -> Iterator[Violation]:
-    starts = [rest.start_s for rest in weekly]
-    ends = [ended_s, *(rest.end_s for rest in weekly)]
-    for before_s, start_s in zip(ends, [*starts, end_s], strict=True):
-        late_s = start_s - (before_s + AFTER_S)
+def _late(weekly: Sequence[RestTaken], before_s: int) -> Iterator[Violation]:
+    for rest in weekly:
+        late_s = rest.start_s - (before_s + AFTER_S)
         if late_s > 0:
-            text = f"{clock_span(start_s - before_s)} since the last weekly rest, "
+            text = f"{clock_span(rest.start_s - before_s)} since the last weekly rest, "
             text += f"{clock_span(AFTER_S)} allowed"
             yield Violation("561/2006 Art. 8(6)", before_s + AFTER_S, late_s, text)
+        before_s = rest.end_s
 
 
 def _missing(weekly: Sequence[RestTaken], began_s: int, end_s: int) -> list[Violation]:
@@ -152,17 +151,13 @@ def _not_made_up(weekly: Sequence[RestTaken], others: Sequence[RestTaken]) -> It
         **{rest: rest.rest_s - REGULAR_S for rest in weekly if rest.rest_s >= REGULAR_S},
         **{rest: rest.rest_s - ATTACHED_S for rest in others if not rest.interruptions},
     }
-    for rest in weekly:
+    for rest in (one for one in weekly if one.rest_s < REGULAR_S):
         lacking_s = REGULAR_S - rest.rest_s
-        if lacking_s <= 0:
-            continue
         until_s = ((rest.end_s - 1) // WEEK + 1 + WEEKS_TO_MAKE_UP) * WEEK
         fitting = [
             one
             for one, spare_s in spare.items()
-            if one.start_s >= rest.end_s
-            and spare_s >= lacking_s
-            and spare_s - max(0, one.end_s - until_s) >= lacking_s
+            if one.start_s >= rest.end_s and spare_s - max(0, one.end_s - until_s) >= lacking_s
         ]
         if fitting:
             best = min(fitting, key=lambda one: (spare[one], one.start_s))

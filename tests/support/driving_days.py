@@ -153,6 +153,9 @@ DAILY_DRIVING = [
     day(f"2 x ({TEN}, 12h30 rest), {TEN}", at="Sun 18:00", long_days_used=1),
     day(TEN, duty_h=1, at="Mon 00:30", long_days_used=1),
     day(TEN, "Art. 6(1) Mon 11:00 +60", duty_h=1, at="Mon 00:30", **LONG_USED),
+    day(TEN, "Art. 6(1) 2Mon 11:00 +60", duty_h=1, at="2Mon 00:30", **LONG_USED),
+    day(f"{NINE}, 45m rest, 59m1s drive", at="Sun 12:31", **LONG_USED),
+    day(f"1h drive, 336h rest, 3 x ({TEN}, 12h30 rest)", "Art. 6(1) 3Wed 17:30 +60"),
     # from the end of one rest to the end of the next, whatever the calendar
     day("4h30 drive, 9h rest, 4h30 drive, 45m rest, 1h1m drive"),
     day("4h30 drive, 8h59 rest, 4h30 drive, 45m rest, 1h1m drive",
@@ -182,6 +185,8 @@ DAILY_REST = [
     # three reduced between two weekly rests
     day("3 x (15h available, 9h rest), 1m drive"),
     day("4 x (15h available, 9h rest), 1m drive", "Art. 8(4) Thu 19:00 +120"),
+    day("13h available, 24h rest, 4 x (15h available, 9h rest), 1m drive",
+        "Art. 8(4) Sat 08:00 +120", **USED),
     day("5 x (15h available, 9h rest), 1m drive", "Art. 8(4) Thu 19:00 +120",
         "Art. 8(4) Fri 19:00 +120"),
     day("15h available, 9h rest, 1m drive", reduced_rests_used=2),
@@ -228,11 +233,20 @@ FERRIES = [
     day("3h work, 1h rest, 10m drive, 2h ferry, 6h work, 2h rest, 10m drive, 7h ferry, 1m drive",
         **USED),
     # driving between the rests of a crossing is not driving of the day; other driving is
+    day("4h30 drive, 1h rest, 20m drive, 2h ferry, 4h30 drive, 7h ferry, 20m drive, 3h rest, "
+        "1m drive", **LONG_USED, **USED),
+    day("4h30 drive, 1h rest, 20m drive, 2h ferry, 1m drive, 45m rest, 4h30 drive, 7h ferry, "
+        "20m drive, 3h rest, 1m drive", "Art. 6(1) Mon 19:05 +1", **LONG_USED, **USED),
     day(f"{NINE}, 1h rest, 10m drive, 1h rest, 10m drive, 1h rest, 10m drive, 9h ferry, 1m drive",
         "Art. 6(1) Mon 16:45 +10", **LONG_USED),
     # more than an hour, more than twice, no ferry, less than 11 h
     day("4h work, 2h rest, 31m drive, 8h ferry, 30m drive, 2h rest, 2h drive",
         "Art. 8(2) Mon 21:00 +241"),
+    day("4h work, 2h rest, 30m drive, 8h ferry, 30m drive, 2h rest, 2h drive"),
+    day("4h work, 2h rest, 30m drive, 1h rest, 7h ferry, 30m drive, 2h rest, 2h drive"),
+    day("4h work, 2h rest, 30m drive, 7h ferry, 1h rest, 30m drive, 2h rest, 2h drive"),
+    day("4h work, 2h rest, 30m1s drive, 7h59m59s ferry, 30m drive, 2h rest, 2h drive",
+        "Art. 8(2) Mon 21:00 +240"),
     day("4h work, 2h rest, 30m drive, 8h rest, 30m drive, 2h rest, 1m drive",
         "Art. 8(2) Mon 21:00 +121"),
     day("4h work, 1h rest, 10m drive, 1h rest, 10m drive, 8h ferry, 10m drive, 1h rest, 2h drive",
@@ -255,6 +269,8 @@ FERRIES = [
     day("12h available, 2h rest, 30m drive, 9h ferry, 1m drive", drivers=2),
     # a reduced weekly rest on a ferry
     day("1h drive, 12h rest, 30m drive, 12h ferry, 1m drive", since_weekly_h=143),
+    day("1h drive, 6h rest, 10m drive, 6h rest, 10m drive, 6h ferry, 10m drive, 6h rest, 2h drive",
+        "Art. 8(6) Mon 07:00 +1590", since_weekly_h=143),
     day("1h drive, 12h rest, 30m drive, 11h59 ferry, 2h drive", "Art. 8(6) Mon 07:00 +1589",
         since_weekly_h=143),
 ]  # fmt: skip
@@ -267,6 +283,8 @@ WEEKS = [
     # to Sunday 24:00 UTC
     day("4h drive", week_h=54, at="Sun 22:00"),
     day("4h drive", "Art. 6(2) Sun 23:59 +1", week_h=54 + 1 / 60, at="Sun 22:00"),
+    day("2h drive, 45m rest, 2h drive", "Art. 6(2) Sun 23:59 +1", week_h=54 + 1 / 60,
+        at="Sun 22:00"),
     day("4h drive/50", week_h=55, at="Sun 22:00"),
     day("4h drive/50", "Art. 6(2) Sun 23:58 +1", week_h=55 + 1 / 60, at="Sun 22:00"),
     # two weeks
@@ -286,6 +304,10 @@ WEEKS = [
     day("1h drive, 23h59 rest, 1m drive", "Art. 8(6) Mon 07:00 +1440", since_weekly_h=143),
     day("24h rest, 6 x (4h drive, 20h rest), 1m rest", at="Sun 06:00"),
     day("24h rest, 1h drive", since_weekly_h=144),
+    day("1h1s drive", "Art. 8(6) Mon 07:00 +0.0166667", since_weekly_h=143),
+    day("20h rest, 1h1m drive", "Art. 8(6) Tue 02:00 +61", since_weekly_h=124),
+    day("23h rest, 6 x (4h drive, 20h rest)"),
+    day("20h rest, 6 x (4h drive, 20h rest), 1m drive", "Art. 8(6) 2Mon 02:00 +1"),
     # two in two weeks, one of them regular
     day(f"2 x (5 x ({NINE}, 14h15 rest), 48h rest)", at="Mon 00:00"),
     day("2 x (6 x (4h drive, 20h rest), 24h rest), 4h drive", "Art. 8(6) 3Mon 00:00 +2700",
@@ -297,7 +319,39 @@ WEEKS = [
         at="Mon 00:00"),
     day("6 x (4h drive, 20h rest), 24h rest, 6 x (4h drive, 20h rest), 24h rest, 4h drive",
         at="Mon 00:01"),
+    day("2 x (6 x (4h drive, 20h rest), 24h rest), 4h drive", "Art. 8(6) 4Mon 00:00 +2700",
+        at="2Mon 00:00"),
+    day("6 x (4h drive, 20h rest), 25h rest, 5 x (4h drive, 20h rest), 43h rest, 4h drive",
+        at="Mon 00:00"),
+    day("1h drive, 700h rest, 1h drive", at="Mon 00:00"),
+    day(f"10 x (5 x ({LIGHT}), 48h rest)", at="Tue 06:00"),
+    # across Sunday midnight in either week; one that ends at midnight is not across
+    day(f"1h drive, 45h rest, 3 x ({LIGHT}), 4h available, 50h rest, 7 x ({LIGHT}), "
+        f"6h available, 45h rest, 6 x ({LIGHT})", "Art. 8(6) 2Sun 04:00 +1800", at="Mon 00:00"),
+    day(f"1h drive, 45h rest, 3 x ({LIGHT}), 4h available, 46h rest, 7 x ({LIGHT}), "
+        f"6h available, 45h rest, 6 x ({LIGHT})", "Art. 8(6) 2Sun 00:00 +1800",
+        "Art. 8(6) 4Mon 00:00 +1440", at="Mon 00:00"),
+    day(f"1h drive, 45h rest, 3 x ({LIGHT}), 4h available, 46h1s rest, 7 x ({LIGHT}), "
+        f"6h available, 45h rest, 6 x ({LIGHT})", "Art. 8(6) 2Sun 00:00:01 +1800", at="Mon 00:00"),
+    # one across Sunday midnight does not count twice, unless both weeks hold 45 h of it
+    day(f"5 x ({LIGHT}), 3h available, 50h rest, 7 x ({LIGHT}), 1h drive",
+        "Art. 8(6) 2Sun 05:00 +1500", "Art. 8(6) 3Mon 00:00 +1440", at="Mon 00:00"),
+    day(f"7h rest, 6 x ({LIGHT}), 1h drive, 12h available, 50h rest, 5 x ({LIGHT}), 1h drive, "
+        "2h available", "Art. 8(6) Sun 07:00 +780", "Art. 8(6) 3Mon 00:00 +1440", at="Mon 00:00"),
+    day(f"5 x ({LIGHT}), 3h available, 213h rest, 1h drive", at="Mon 00:00"),
     # what a reduced one lacks, in one block before the end of the third week
+    day(f"6 x ({LIGHT}), 24h1s rest, 4 x (5 x ({LIGHT}), 34h rest)", at="Mon 00:00"),
+    day(f"6 x ({LIGHT}), 24h rest, 2 x (5 x ({LIGHT}), 34h rest), 5 x ({LIGHT}), 43h59m59s rest, "
+        f"5 x ({LIGHT}), 34h rest", "Art. 8(6b) 5Mon 00:00 +600", at="Mon 00:00"),
+    day(f"6 x ({LIGHT}), 24h rest, 5 x ({LIGHT}), 34h rest, 6 x ({LIGHT}), 24h rest, "
+        f"5 x ({LIGHT}), 44h rest, 2 x (5 x ({LIGHT}), 34h rest), 5 x ({LIGHT})",
+        "Art. 8(6b) 7Mon 00:00 +600", at="Mon 00:00"),
+    day(f"6 x ({LIGHT}), 24h rest, 5 x ({LIGHT}), 34h rest, 6 x ({LIGHT}), 19h rest, "
+        f"{LIGHT}, 8h rest, 4 x ({LIGHT}), 49h rest, 2 x (5 x ({LIGHT}), 34h rest), "
+        f"5 x ({LIGHT})", at="Mon 00:00"),
+    # a rest of 30 h need not be a weekly one, and then lacks nothing
+    day(f"2 x ({LIGHT}), 19h rest, 3 x ({LIGHT}), 34h rest, 4 x (5 x ({LIGHT}), 34h rest)",
+        at="Mon 00:00"),
     day(f"6 x ({LIGHT}), 24h rest, 4 x (5 x ({LIGHT}), 34h rest)", "Art. 8(6b) 5Mon 00:00 +600",
         at="Mon 00:00"),
     day(f"6 x ({LIGHT}), 24h rest, 3 x (5 x ({LIGHT}), 34h rest)", at="Mon 00:00"),
@@ -326,6 +380,9 @@ WORK = [
     day("3h work, 1h available, 3h1m work, 30m rest, 1m work", "2002/15 Art. 5(1) Mon 13:00 +1"),
     day("6h1m work, 15m rest, 6h1m work, 30m rest, 1m work",
         "2002/15 Art. 5(1) Mon 12:00 +1", "2002/15 Art. 5(1) Mon 18:16 +1"),
+    day("3h work, 44m passenger, 3h1m work, 30m rest, 1m work",
+        "2002/15 Art. 5(1) Mon 12:44 +1"),
+    day("3h work, 45m passenger, 3h1m work, 30m rest, 1m work"),
     # a break lies between two pieces of work
     day("3h work, 15m rest, 3h30 work, 15m rest, 30m available, 11h rest, 1m drive",
         "2002/15 Art. 5(1) Mon 12:15 +15"),
@@ -340,7 +397,9 @@ WORK = [
     day("1h30 work, 15m rest, 1h work", "2002/15 Art. 5(1) Mon 08:15 +15", since_break_h=4,
         today_h=4, duty_h=4),
     day("1h30 work", since_break_h=3, today_h=8, duty_h=10),
-    day("1m work", "2002/15 Art. 5(1) Mon 06:00 +61", "2002/15 Art. 5(1) Mon 06:00 +30",
+    day("3h work, 15m rest, 3h work, 1m available, 1h work", "2002/15 Art. 5(1) Mon 12:16 +15"),
+    day("1m work, 1m available",
+        "2002/15 Art. 5(1) Mon 06:00 +61", "2002/15 Art. 5(1) Mon 06:00 +30",
         "Art. 7 Mon 06:00 +150", since_break_h=7, today_h=7, duty_h=7),
     # each day for itself
     day("6h work, 11h rest, 6h work"),
@@ -359,6 +418,11 @@ US_DAYS = [
     day("8h1m drive, 30m rest, 1m drive", "(a)(3)(ii) Mon 14:00 +1"),
     day("1m drive", "(a)(3)(ii) Mon 06:00 +61", since_break_h=9, today_h=9, duty_h=9),
     day("4h drive, 30m rest, 7h drive", since_break_h=4, today_h=0, duty_h=2),
+    day("8h drive, 29m59s work, 1m drive", "(a)(3)(ii) Mon 14:29:59 +1"),
+    day("1h drive, 30m rest, 8h1s drive", "(a)(3)(ii) Mon 15:30 +0.0166667"),
+    day("30m work, 1m drive", since_break_h=8, today_h=8, duty_h=8),
+    day("29m59s work, 1m drive", "(a)(3)(ii) Mon 06:29:59 +1", since_break_h=8, today_h=8,
+        duty_h=8),
     # 11 h of driving
     day("8h drive, 30m rest, 3h1m drive", "(a)(3)(i) Mon 17:30 +1"),
     day("8h drive, 30m rest, 4h drive, 1h rest, 1h drive", "(a)(3)(i) Mon 17:30 +120",
@@ -366,6 +430,8 @@ US_DAYS = [
     day("1h drive", today_h=10, duty_h=12),
     day("1h1m drive", "(a)(3)(i) Mon 07:00 +1", today_h=10, duty_h=12),
     day("14h drive/50"),
+    day("30m drive", "(a)(3)(i) Mon 06:00 +90", today_h=12, duty_h=13),
+    day(f"{US_DAY}, 10h rest, 8h drive, 30m rest, 3h1s drive", "(a)(3)(i) Tue 15:00 +0.0166667"),
     # the 14th hour
     day("3h work, 8h drive, 30m rest, 2h30 drive"),
     day("3h work, 8h drive, 30m rest, 2h31 drive", "(a)(2) Mon 20:00 +1"),
@@ -392,6 +458,8 @@ US_DAYS = [
     day("4h drive, 3h rest, 7h drive, 7h rest, 4h drive, 3h rest, 7h drive, 7h rest, 4h drive"),
     day("4h drive, 3h rest, 7h drive, 7h rest, 4h drive, 3h rest, 7h1m drive",
         "(a)(3)(i) Tue 17:00 +1"),
+    # one of a pair may be left for a better one
+    day("4h drive, 7h rest, 4h drive, 3h rest, 4h drive, 4h rest, 3h drive, 7h rest, 1m drive"),
     # neither of a pair counts in the 14 h
     day("5h work, 3h rest, 8h drive, 30m work, 30m drive, 7h rest, 1m drive"),
     day("5h work, 3h rest, 8h drive, 30m work, 31m drive, 7h rest, 1m drive",
@@ -414,6 +482,11 @@ US_DAYS = [
     day("7 x (8h drive, 30m rest, 2h work, 13h30 rest), 17h59 rest, 1m drive", clock_s=60),
     day("7 x (8h drive, 30m rest, 2h work, 13h30 rest), 17h58 rest, 2m drive",
         "(b)(2) 2Mon 23:58 +1", clock_s=60),
+    day("7 x (8h drive, 30m rest, 2h work, 13h30 rest), 17h59m30s rest, 1m drive", clock_s=60),
+    day("7 x (23h59 rest, 1m available), 1m drive", "(b)(2) 3Mon 00:30 +1", week_h=70,
+        at="2Mon 00:30", clock_s=3600),
+    day("1m drive, 34h rest, 6 x (8h drive, 30m rest, 2h work, 13h30 rest), 1m drive",
+        "(b)(1) Mon 06:00 +1", "(b)(1) 2Mon 16:01 +1", week_h=60, days=7),
     day("8h drive", week_h=52, days=7),
     day("8h drive, 30m rest, 1m drive", "(b)(1) Mon 14:30 +1", week_h=52, days=7),
     day("6 x (8h drive, 30m rest, 2h work, 13h30 rest), 18h rest, 1m drive", days=7),
