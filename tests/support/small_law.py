@@ -51,7 +51,7 @@ def drivable(way, rules, window, slack=0):
         time, broken, part, today, duty, long_days, reduced = now
         length = min(leaves - time, counts)
         yield (leaves, broken, part, today, duty, long_days, reduced)
-        if limits.parts_s and length >= limits.parts_s[0]:
+        if limits.parts_s and length >= limits.parts_s[0] and broken > 0:
             yield (leaves, broken, 1, today, duty, long_days, reduced)
         if length >= limits.break_s or (limits.parts_s and part and length >= limits.parts_s[1]):
             yield (leaves, 0, 0, today, duty, long_days, reduced)

@@ -85,6 +85,7 @@ def paused(v: Seconds, free: int, parted: int, pause: int) -> tuple[int, int]:
     """Return what has been driven after a pause: with no part of a break taken, and with the first.
 
     A pause need not be counted as all it could be, so both are kept; `FAR` is a state that is not.
+    A first part lies within the driving that its second ends, not before it.
 
     Parameters
     ----------
@@ -101,7 +102,7 @@ def paused(v: Seconds, free: int, parted: int, pause: int) -> tuple[int, int]:
         What counts after it [s].
     """
     after = parted
-    if pause >= v[FIRST]:
+    if pause >= v[FIRST] and free > 0:
         after = min(parted, free)
     if pause >= v[BREAK] or (parted < FAR and pause >= v[SECOND]):
         return 0, after
@@ -196,7 +197,8 @@ def entry_states(
         return count
     breaks = needed(v[SPELL], v[BROKEN], drive_s)
     if v[REST] < FAR and spare >= v[REST] + breaks_s(v, breaks - 1, v[PART]):
-        states[0, 0], states[0, 1], states[0, 2], states[0, 3] = 0, 0, 0, leaves
+        states[0, 0], states[0, 1] = 0, 0 if drive_s > 0 else FAR
+        states[0, 2], states[0, 3] = 0, leaves
         return 1
     least = breaks_s(v, breaks, v[PART])
     if least > spare or v[TODAY] + drive_s > v[DAY]:
@@ -205,9 +207,9 @@ def entry_states(
     fresh = breaks_s(v, breaks + 1, v[PART])
     states[0, 0] = 0 if spare >= fresh else driven
     states[0, 1] = FAR
-    if spare >= fresh + v[FIRST]:
+    if spare >= fresh + v[FIRST] and drive_s > 0:
         states[0, 1] = 0
-    elif spare >= least + v[FIRST] or (breaks == 0 and v[PART] == 1):
+    elif (spare >= least + v[FIRST] and driven > 0) or (breaks == 0 and v[PART] == 1):
         states[0, 1] = driven
     states[0, 2] = v[TODAY] + drive_s
     states[0, 3] = v[EARLIEST] if held else min(v[LATEST], leaves - drive_s - least)

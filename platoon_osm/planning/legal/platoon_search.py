@@ -45,7 +45,7 @@ Table = tuple[Stops, Clocks | None, int, int]
 """Stops, the clocks after them if others may follow, and the departure as it counts for merging and
 for separating."""
 
-SPLIT_S = 1800
+SPLIT_S = 900
 """Spans shorter than this are split by stops before they are split again [s]."""
 
 SAME = 1e-9
@@ -79,7 +79,7 @@ class _Search:
     deadline: float
     evaluate: Any
     tolerance: float
-    heap: list[tuple[float, int, int, _Node]] = field(default_factory=list)
+    heap: list[tuple[tuple[int, ...], float, _Node]] = field(default_factory=list)
     order: Any = field(default_factory=count)
     best: float = np.inf
     found: tuple[Stops, int] | None = None
@@ -157,8 +157,12 @@ class _Search:
                 node.rows, node.low = node.rows[~same], own[~same]
                 if not len(node.rows):
                     continue
+            # Of equal bounds the one that is nearest to its end.
+            unsettled = len(self.numbers.alone) if node.clocks else len(node.rows)
             pauses = sum(length for _, length in node.stops)
-            heapq.heappush(self.heap, (bound, pauses, next(self.order), node))
+            level = round(bound / self.tolerance)
+            key = level, unsettled, -len(node.stops), pauses, -next(self.order)
+            heapq.heappush(self.heap, (key, bound, node))
 
     def run(self, begin: int, end: int) -> bool:
         """Search; return whether it came to an end before the time was over."""
@@ -169,7 +173,7 @@ class _Search:
             return True
         self.push([_Node((), clocks, begin, end, 0.0, rows, np.zeros(len(rows)))])
         while self.heap:
-            if self.heap[0][0] >= self.best - self.tolerance:
+            if self.heap[0][1] >= self.best - self.tolerance:
                 break
             if time.perf_counter() > self.deadline:
                 return False
@@ -417,7 +421,7 @@ def _departures(star: StarTimes) -> tuple[int, int]:
 def _result(search: _Search, ended: bool, began: float) -> PlatoonTiming:
     star, some = search.star, search.numbers
     alone = float(star.alone.sum()) + star.master_alone
-    bound = min([search.best, *(entry[0] for entry in search.heap)])
+    bound = min([search.best, *(entry[1] for entry in search.heap)])
     chosen = None
     if search.found is not None:
         stops, departure = search.found

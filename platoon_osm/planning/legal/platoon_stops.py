@@ -156,7 +156,7 @@ class MasterStops:
 
     @property
     def plan(self) -> Seconds:
-        """Stops and rests at most, and the longest stop without and with a rest, (4,) [s]."""
+        """What the kernel needs: the most stops and rests, the longest stop without and with one."""
         v = self._row
         short = max((one for one in (int(v[kernel.BREAK]), *self.lengths) if one < FAR), default=0)
         rest = max(int(v[kernel.SURE_REST]), int(v[kernel.REST]), *self.lengths, 0)
@@ -190,7 +190,7 @@ class MasterStops:
         if min(free, parted) >= FAR or today > v[kernel.DAY]:
             return None
         if length >= v[kernel.REST]:
-            return 0, 0, 0
+            return 0, FAR, 0
         free, parted = kernel.paused(v, free, parted, length)
         return int(free), int(parted), today
 
