@@ -46,7 +46,9 @@ def legal(road, limits, state, state_at, monday, trip):
             state.reduced_rests_used,
             (leaves if resting and not state.since_weekly_rest_s else since)
             - state.since_weekly_rest_s,
-            ((week - 1, state.driven_last_week_s), (week, state.driven_this_week_s)),
+            ((week - 1, state.driven_last_week_s), (week, state.driven_this_week_s))
+            if limits.calendar_weeks
+            else ((0, state.driven_this_week_s),),
             ((leaves if resting else since - state.duty_s) - monday) // WEEK,
             state.driven_since_break_s,
         )
@@ -132,9 +134,12 @@ def driven(old, leave, drive, clock, limits, monday):
         weeks[first + 1] = weeks.get(first + 1, 0) + clock - before
     else:
         weeks = {0: sum(weeks.values()) + clock}
-    if max(weeks.values()) > limits.week_s:
+    now = {week for week, own in weeks.items() if own > dict(old.by_week).get(week, 0)}
+    if any(weeks[week] > limits.week_s for week in now):
         return
-    if any(own + weeks.get(week - 1, 0) > limits.fortnight_s for week, own in weeks.items()):
+    if limits.calendar_weeks and any(
+        weeks[week] + weeks.get(week - 1, 0) > limits.fortnight_s for week in now
+    ):
         return
     yield replace(new, by_week=tuple(sorted(weeks.items())))
 

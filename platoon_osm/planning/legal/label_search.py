@@ -286,12 +286,14 @@ def _drive(
         a[WEEK_DRIVEN] += before
         if a[WEEK_DRIVEN] > p[MOST_WEEK] or a[WEEK_DRIVEN] + a[LAST_WEEK] > p[FORTNIGHT]:
             return False
-        if before < clock or (p[CALENDAR] == 1 and seconds > left):
+        if p[CALENDAR] == 1 and seconds > left:
             a[LAST_WEEK] = a[WEEK_DRIVEN]
             a[OTHER_LAST_WEEK] = a[OTHER_WEEK]
             a[WEEK_DRIVEN] = clock - clock * left // seconds
             a[OTHER_WEEK] = 0
             a[WEEK] += 1
+            if a[WEEK_DRIVEN] + a[LAST_WEEK] > p[FORTNIGHT]:
+                return False
     a[BROKEN] += clock
     if p[WORK] < NO_LIMIT:
         a[WORKED] += seconds
@@ -329,7 +331,7 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
             return False
         later = b[TIME] - a[TIME]
         # Who is earlier drives more of what follows before Monday, unless it can wait.
-        more = 0 if place or a[DUTY_MOST] - (a[TIME] - a[DUTY]) >= later else later
+        more = 0 if place else later
         if a[WEEK_DRIVEN] + more > b[WEEK_DRIVEN] or a[OTHER_WEEK] + more > b[OTHER_WEEK]:
             return False
         if a[WEEK_DRIVEN] + a[LAST_WEEK] + more > b[WEEK_DRIVEN] + b[LAST_WEEK]:
@@ -524,10 +526,13 @@ def search(
                         spare = opens - a[TIME] - p[DAILY]
                         if late:
                             spare -= a[GONE_MOST] - (a[TIME] - a[GONE])
-                        rests = kind in (DAILY, WEEKLY)
+                        # A first part that was taken is no worse than a rest, where it counts.
+                        other = kind in (DAILY, WEEKLY, FIRST) or (
+                            a[PART] == 1 and kind in (NONE, PIECE)
+                        )
                         if (
-                            opening > 0 and spare >= 0 and p[DAILY] <= stay_s[k]
-                            and not rests and allowed(DAILY, a, p)
+                            opening > 0 and weekly == 0 and spare >= 0 and not other
+                            and p[DAILY] <= stay_s[k] and allowed(DAILY, a, p)
                         ):  # fmt: skip
                             continue
                         done = leave(

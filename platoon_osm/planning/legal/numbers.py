@@ -62,7 +62,8 @@ def numbers_of(limits: Limits) -> IntArray:
         _down(limits.spell_s), _down(limits.work_spell_s) if works else NO_LIMIT, pause,
         _down(limits.day_s / share), _down(limits.long_day_s / share), limits.long_days,
         _down(limits.window_s), _down(limits.long_window_s), limits.reduced_rests,
-        _down(limits.week_s / share), _down(limits.fortnight_s / share),
+        _down(limits.week_s / share),
+        _down(limits.fortnight_s / share) if limits.calendar_weeks else NO_LIMIT,
         _down(limits.weekly_after_s), whole, int(limits.calendar_weeks),
     )  # fmt: skip
     return np.array(numbers, dtype=np.int64)

@@ -23,7 +23,6 @@ from ...driving.state import DriverState
 from ...errors import ScenarioError
 from .kernel import label_search
 from .label_search import (
-    CALENDAR,
     FORTNIGHT,
     GONE,
     GONE_MOST,
@@ -174,7 +173,7 @@ class _Search:
         total = int(road.clock_s.sum())
         this, last = state.driven_this_week_s, state.driven_last_week_s
         fits = this + total <= self.numbers[MOST_WEEK]
-        fits &= this + last + total <= self.numbers[FORTNIGHT] or not self.numbers[CALENDAR]
+        fits &= this + last + total <= self.numbers[FORTNIGHT]
         self.weeks = int(not fits)
 
     def best(
@@ -227,7 +226,7 @@ class _Search:
             latest_s = min(latest_s, int(self.road.leave_s[0]))
         return starts_of(
             self.state, state_at_s, earliest_s, latest_s, windows[first[0] : first[1]],
-            self.numbers, self.kinds, self.monday,
+            self.numbers, self.kinds, self.monday, self.weeks,
         )  # fmt: skip
 
     def _run(

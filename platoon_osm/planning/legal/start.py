@@ -16,17 +16,20 @@ from .label_search import (
     BESIDE,
     BESIDE_LENGTH,
     BROKEN,
+    CALENDAR,
     CLOSES,
     COLUMNS,
     DUTY,
     DUTY_MOST,
     DUTY_WEEK,
+    FORTNIGHT,
     GONE,
     GONE_MOST,
     INFO,
     KIND,
     LAST_WEEK,
     LONG_DAYS,
+    MOST_WEEK,
     OPENS,
     OTHER_LAST_WEEK,
     OTHER_LONG_DAYS,
@@ -47,6 +50,9 @@ from .label_search import (
 )  # fmt: skip
 from .numbers import CHANGE, CHANGE_IN_BREAK, NONE
 from .road import NO_LIMIT, IntArray
+
+WEEKS = 3
+"""How many weeks ahead the driver may wait for a new one."""
 
 __all__ = ["Start", "starts_of"]
 
@@ -80,6 +86,7 @@ def starts_of(
     numbers: IntArray,
     kinds: IntArray,
     monday_s: int,
+    weeks: int,
 ) -> Start:  # fmt: skip
     """Return the labels that leave the origin.
 
@@ -97,6 +104,8 @@ def starts_of(
         The limits, and the kinds of pause that they know.
     monday_s : int
         A Monday 0:00 UTC [s].
+    weeks : int
+        1 where driving in a week can be too much: then waiting for Monday may be a way.
 
     Returns
     -------
@@ -105,6 +114,9 @@ def starts_of(
     """
     spans = [(-NO_LIMIT, NO_LIMIT)] if len(windows) == 0 else [(int(a), int(b)) for a, b in windows]
     spans = [(max(a, earliest_s), min(b, latest_s)) for a, b in spans]
+    if weeks and numbers[CALENDAR]:
+        waits = _sundays(state, state_at_s, earliest_s, numbers, monday_s)
+        spans += [(max(a, at), b) for at in waits for a, b in spans if at > a]
     spans = [(a, b) for a, b in spans if a <= b]
     since = math.ceil(state.since_weekly_rest_s)
     resting = state.duty_s is None
@@ -143,6 +155,22 @@ def starts_of(
         np.array(infos, dtype=np.int64).reshape(-1, INFO),
         fixed,
     )
+
+
+def _sundays(
+    state: DriverState, state_at_s: int | None, earliest_s: int, numbers: IntArray, monday_s: int
+) -> list[int]:
+    """Return when to leave so that what is left of a week lasts till Monday, for some weeks."""
+    at = earliest_s if state_at_s is None else state_at_s
+    week = (at - monday_s) // WEEK_S
+    driven, last = math.ceil(state.driven_this_week_s), math.ceil(state.driven_last_week_s)
+    found = []
+    for later in range(WEEKS):
+        begins = monday_s + (week + later + 1) * WEEK_S
+        most = min(int(numbers[MOST_WEEK]) - driven, int(numbers[FORTNIGHT]) - driven - last)
+        found += [begins, begins - max(0, most)]
+        driven, last = 0, driven
+    return found
 
 
 def _as_of(state: DriverState, at_s: int, numbers: IntArray, monday_s: int) -> IntArray:
