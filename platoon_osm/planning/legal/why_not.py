@@ -122,7 +122,7 @@ def why_not(
                 road, limits, state, state_at_s, earliest_s, latest_s, after.departure_s,
                 arrival_s, monday_s,
             )  # fmt: skip
-    helps = tuple(name for name, *other in _others(limits, team, state) if trip_by(*other))
+    helps = tuple(name for name, law, who in _others(limits, team, state) if trip_by(law, who))
     reached = road.hops
     if late is None:
         begin = arrival_s if earliest_s is None else earliest_s

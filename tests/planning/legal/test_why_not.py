@@ -46,11 +46,11 @@ def test_a_reduced_rest_would_do():
 
 
 def test_a_later_departure_would_do():
-    """Who has driven all day has to rest first; 11 h later it may leave."""
+    """Who has driven all day rests first, 11 h, or half-way if it has a long day left."""
     state = DriverState(driven_today_s=9 * H, duty_s=11 * H, long_days_used=2, reduced_rests_used=3)
     found = why_not(parked(4), EU561, None, state, 0, 0, 2 * H, None)
     assert (found.late_s, found.later_s) == (None, 9 * H)
-    assert found.remedies == ("rested",)
+    assert found.remedies == ("rested", "long_day")
     allowed = fastest(parked(4), EU561, state, 0, 0, 2 * H + found.later_s)
     assert allowed.departure_s == 11 * H
 
