@@ -32,6 +32,7 @@ class Way:
     clock: tuple
     stay: tuple
     leave: tuple
+    met: tuple = ()
 
 
 def drivable(way, rules, window, slack=0):
@@ -78,6 +79,12 @@ def drivable(way, rules, window, slack=0):
             else:
                 last = min(late - left[k], window.latest_s if k == 0 else late)
                 moments = range(time, last + 1) if k == 0 or way.stay[k] else [time]
+            if way.met and k == way.met[0]:
+                moments = [one for one in moments if one <= way.met[1]]
+            if way.met and k == way.met[2]:
+                # Where it may not stand it waits all the same: nobody is ruled out for that.
+                moments = [one for one in (moments or [time]) if one >= way.met[3]] or [way.met[3]]
+                moments = [one for one in moments if one >= time]
             for leaves in moments:
                 counts = NO_LIMIT if k == 0 else way.stay[k]
                 for gone in paused(now, leaves, counts):
@@ -145,6 +152,28 @@ class Drawn:
         if drivable(way, rules, window, table.slack_s):
             return LegalTrip(window.earliest_s, window.arrival_s)
         return None
+
+    def free(self, member, i, j, by_s, after_s):
+        """Whether the member could drive by i and j, with any pauses at the master's places."""
+        star = self.star
+        low, high = int(star.node_at[i]), int(star.node_at[j])
+        before, after = self.approach[member][i], self.onward[member][j]
+        window, rules = star.windows[member], star.member_rules[member]
+        own = star.road.stay_s.tolist()
+        drive = tuple(star.road.drive_s[low:high].tolist())
+        clock = tuple(int(np.ceil(one * (1 - star.relief))) for one in drive)
+        stay = (
+            *before[1][:-1], NO_LIMIT, *own[low + 1 : high],
+            max(own[high], after[1][0]), *after[1][1:],
+        )  # fmt: skip
+        met = len(before[0]), by_s, len(before[0]) + len(drive), after_s
+        if not after[0] and after_s > window.arrival_s:
+            return False
+        way = Way(
+            (*before[0], *drive, *after[0]), (*before[0], *clock, *after[0]), stay,
+            (None,) * len(stay), met,
+        )  # fmt: skip
+        return drivable(way, rules, window)
 
     def goes_alone(self, member):
         """Whether a member can drive alone."""

@@ -17,8 +17,9 @@ from ...driving.limits import Limits
 from ...plans.stretches import Run, runs_alone, runs_along
 from .legal_question import LegalQuestion
 from .one_driver import fastest
+from .platoon_real import met_between
 from .platoon_record import MASTER, Timetable
-from .road import FREE, LegalTrip, Road, road_of
+from .road import FREE, NO_LIMIT, LegalTrip, Road, road_of
 from .star_input import StarWay
 from .star_times import OPEN_S
 from .way_points import WayPoints, joined, part_of_way
@@ -171,6 +172,47 @@ class MemberWays:
         if member == MASTER:
             return self.master_trip(timetable.leave_s, timetable.slack_s)
         return self.trip(member, [(i, j)], timetable.leave_s, timetable.slack_s)
+
+    def free(self, member: int, i: int, j: int, by_s: int, after_s: int) -> bool:
+        """Answer the search's question whether a member could drive by two nodes; see `Free`.
+
+        Parameters
+        ----------
+        member : int
+            The member, as its star numbers it.
+        i, j : int
+            Nodes of the master's route.
+        by_s, after_s : int
+            When it leaves the one at the latest, and the other at the earliest [s].
+
+        Returns
+        -------
+        bool
+            Whether it has a legal trip in its window.
+        """
+        times = self.own.times
+        window, rules = times.windows[member], times.member_rules[member]
+        before, after = self.approach(member, i)[1], self.onward(member, j)[1]
+        first, end = int(times.node_at[i]), int(times.node_at[j])
+        part = part_of_way(self.own.way, first, end, 1 - times.relief)
+        road = joined([before, part, after]).road
+        hops = before.road.hops
+        stay = road.stay_s.copy()
+        stay[hops] = NO_LIMIT
+        road = met_between(
+            replace(road, stay_s=stay), hops, by_s, hops + part.road.hops, after_s
+        )  # fmt: skip
+        if not after.road.hops and after_s > window.arrival_s:
+            return False
+        earliest = window.earliest_s
+        if earliest == -OPEN_S:
+            earliest = by_s - int(times.approach_s[member, i]) - BEFORE_S
+        trip = fastest(
+            road, rules.limits, rules.state, rules.state_at_s, earliest,
+            None if window.latest_s == OPEN_S else window.latest_s,
+            None if window.arrival_s == OPEN_S else window.arrival_s, times.monday_s,
+        )  # fmt: skip
+        return trip is not None
 
     def approach(self, row: int, i: int) -> tuple[Edges, WayPoints]:
         """Return a member's way to a node of the master's route.

@@ -370,7 +370,11 @@ def _cheapest(
                     continue
                 known = True
                 for code in range(begin, end):
-                    if refuted[code] == i * n + j:
+                    if (
+                        refuted[code, 0] == i * n + j
+                        and dep[i] <= refuted[code, 1]
+                        and arr[j] >= refuted[code, 2]
+                    ):
                         known = False
                 if not known:
                     continue
@@ -432,8 +436,9 @@ def evaluate(
         Whether the value is wanted that is certain; else the least.
     refuted_first : ndarray of int, (R + 1,)
         Where each row's begin in `refuted`.
-    refuted : ndarray of int
-        Pairs of points that are out, as i * n + j.
+    refuted : ndarray of int, (X, 3)
+        Pairs of points, as i * n + j, that are out if the platoon leaves i by a moment and reaches
+        j after another.
     floor : ndarray of float, (R,)
         What each vehicle pays at least, as far as is known.
     most : float

@@ -14,10 +14,10 @@ import numpy as np
 
 from .one_driver import fastest
 from .platoon_record import MASTER, Timetable
-from .road import FREE, IntArray, LegalTrip, Road
+from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
 from .star_times import OPEN_S, StarTimes, VehicleRules
 
-__all__ = ["RoadTrips"]
+__all__ = ["RoadTrips", "met_between"]
 
 WEEK_S = 7 * 24 * 3600
 
@@ -122,6 +122,55 @@ class RoadTrips:
             closed,
         )
 
+    def free(self, member: int, i: int, j: int, by_s: int, after_s: int) -> bool:
+        """Answer a `Free` question.
+
+        Parameters
+        ----------
+        member : int
+            Of the star.
+        i, j : int
+            Nodes of the master's route where it merges and separates.
+        by_s, after_s : int
+            When it leaves the one at the latest, and reaches the other at the earliest [s].
+
+        Returns
+        -------
+        bool
+            Whether it has a legal trip in its window.
+        """
+        star, road = self.star, self.star.road
+        low, high = self._low(i), self._low(j)
+        before, after = self.approach(member, i), self.onward(member, j)
+        shared = road.drive_s[low:high]
+        counted = np.ceil(shared * (1.0 - star.relief) - 1e-6).astype(np.int64)
+        stay = road.stay_s[low : high + 1].copy()
+        stay[0], stay[-1] = NO_LIMIT, max(stay[-1], after.stay_s[0])
+        whole = _road(
+            np.concatenate([before.drive_s, shared, after.drive_s]),
+            np.concatenate([before.clock_s, counted, after.clock_s]),
+            np.concatenate([before.stay_s[:-1], stay, after.stay_s[1:]]),
+            np.full(before.hops + len(shared) + after.hops + 1, FREE),
+            [
+                *(before.forbidden(k) for k in range(before.hops)),
+                *(road.forbidden(k) for k in range(low, high)),
+                *(after.forbidden(k) for k in range(after.hops)),
+            ],
+        )
+        window, rules = star.windows[member], star.member_rules[member]
+        if after.hops == 0 and after_s > window.arrival_s:
+            return False
+        whole = met_between(whole, before.hops, by_s, before.hops + len(shared), after_s)
+        earliest = window.earliest_s
+        if earliest <= -OPEN_S:
+            earliest = by_s - int(before.drive_s.sum()) - BEFORE_S
+        trip = fastest(
+            whole, rules.limits, rules.state, rules.state_at_s, earliest,
+            None if window.latest_s >= OPEN_S else window.latest_s,
+            None if window.arrival_s >= OPEN_S else window.arrival_s, star.monday_s,
+        )  # fmt: skip
+        return trip is not None
+
     def _low(self, node: int) -> int:
         return int(self.star.node_at[node])
 
@@ -145,6 +194,31 @@ class RoadTrips:
         low = (int(table.leave_s[0]) - span - self.star.monday_s) // WEEK_S
         high = (int(table.leave_s[-1]) + span - self.star.monday_s) // WEEK_S
         return bool(low != high)
+
+
+def met_between(road: Road, first: int, by_s: int, last: int, after_s: int) -> Road:
+    """Return a road of which one hop is started by a moment, and another not before another.
+
+    Parameters
+    ----------
+    road : Road
+        Any.
+    first, last : int
+        The two hops; if there is no such hop as the second, that counts for nothing.
+    by_s, after_s : int
+        The moments [s].
+
+    Returns
+    -------
+    Road
+        With more that is closed.
+    """
+    closed = [road.forbidden(hop) for hop in range(road.hops)]
+    for hop, more in ((first, (by_s, NO_LIMIT)), (last, (-NO_LIMIT, after_s))):
+        if hop < road.hops:
+            own = np.concatenate([closed[hop], np.array([more], np.int64)])
+            closed[hop] = _apart(own[np.argsort(own[:, 0], kind="stable")])
+    return _road(road.drive_s, road.clock_s, road.stay_s, road.leave_s, closed)
 
 
 def _standing(stay_s: IntArray, table: Timetable) -> IntArray:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .road import LegalTrip
 from .star_times import StarTimes
 
-__all__ = ["MASTER", "MemberTiming", "PlatoonTiming", "Real", "Timetable"]
+__all__ = ["MASTER", "Free", "MemberTiming", "PlatoonTiming", "Real", "Timetable"]
 
 Seconds = NDArray[np.int64]
 
@@ -84,6 +84,12 @@ law with pauses at real places. With a slack w it says whether it can for a span
   is so over (a + w, b). If node i is its origin it may leave w later, too.
 - w < 0: for every departure from `departure_s` to `departure_s` - w, in the same words.
 """
+
+
+Free = Callable[[int, int, int, int, int], bool]
+"""Says whether a member could drive by nodes i and j at all if it leaves i by a moment and j after
+another: it may pause at i, and at every place of the master's way, for as long as it likes. It is
+asked with member, i, j and the two moments [s]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 from . import platoon_kernel as kernel
 from .platoon_compiled import evaluator
 from .platoon_numbers import StarNumbers, numbers_of_star
-from .platoon_record import MASTER, MemberTiming, PlatoonTiming, Real, Timetable
+from .platoon_record import MASTER, Free, MemberTiming, PlatoonTiming, Real, Timetable
 from .platoon_stops import Clocks, MasterStops, Stops
 from .road import LegalTrip
 from .star_times import OPEN_S, StarTimes
@@ -38,6 +38,7 @@ __all__ = ["search_platoon"]
 Floats = NDArray[np.float64]
 Seconds = NDArray[np.int64]
 Marks = NDArray[np.bool_]
+FAR = kernel.FAR
 Pairs = tuple[tuple[int, int], ...]
 """(row, code) of pairs that are out."""
 
@@ -47,6 +48,9 @@ for separating."""
 
 SPLIT_S = 900
 """Spans shorter than this are split by stops before they are split again [s]."""
+
+LOOSER_S = (900, 3600, 14400)
+"""By how much more a pair that is ruled out may leave later and arrive earlier, as is tried [s]."""
 
 SAME = 1e-9
 """Sums of costs that differ by less, relative to what all pay alone, are equal."""
@@ -68,6 +72,8 @@ class _Node:
     rows: Seconds
     low: Floats
     refuted: Pairs = ()
+    cuts: int = 0
+    """How many cuts there were when it was bounded."""
 
 
 @dataclass(slots=True, eq=False)
@@ -79,11 +85,15 @@ class _Search:
     deadline: float
     evaluate: Any
     tolerance: float
+    free: Free | None = None
     heap: list[tuple[tuple[int, ...], float, _Node]] = field(default_factory=list)
     order: Any = field(default_factory=count)
     best: float = np.inf
     found: tuple[Stops, int] | None = None
     asked: dict[tuple[Any, ...], LegalTrip | None] = field(default_factory=dict)
+    cuts: list[tuple[int, int, int, int]] = field(default_factory=list)
+    """(row, code) of pairs that are out if the platoon leaves i by a moment and reaches j after
+    another, whatever its stops."""
     evaluations: int = 0
     spans: int = 0
     plan: Seconds = field(init=False)
@@ -99,15 +109,18 @@ class _Search:
         some = self.numbers
         size = len(tables), len(rows)
         first = np.zeros(len(rows) + 1, np.int64)
-        codes = np.zeros(0, np.int64)
-        if refuted:
-            own: list[list[int]] = [[] for _ in rows]
+        codes = np.zeros((0, 3), np.int64)
+        if refuted or self.cuts:
+            own: list[list[tuple[int, int, int]]] = [[] for _ in rows]
             where = {int(row): k for k, row in enumerate(rows)}
             for row, code in refuted:
                 if row in where:
-                    own[where[row]].append(code)
+                    own[where[row]].append((code, FAR, -FAR))
+            for row, *cut in self.cuts:
+                if row in where:
+                    own[where[row]].append((cut[0], cut[1], cut[2]))
             first[1:] = np.cumsum([len(one) for one in own])
-            codes = np.array([code for one in own for code in one], np.int64)
+            codes = np.array([code for one in own for code in one], np.int64).reshape(-1, 3)
         room = max(1, max(len(table[0]) for table in tables))
         made = np.zeros((len(tables), room, 2), np.int64)
         for k, table in enumerate(tables):
@@ -145,7 +158,7 @@ class _Search:
         for node, own, bound in zip(nodes, low, bounds.tolist(), strict=True):
             if bound >= self.best - self.tolerance or bound == np.inf:
                 continue
-            node.low = own
+            node.low, node.cuts = own, len(self.cuts)
             if node.clocks is None:
                 table = node.stops, None, node.begin, node.end
                 high = self.values(node.rows, [table], self.real is not None, node.refuted)[0][0]
@@ -178,7 +191,9 @@ class _Search:
             if time.perf_counter() > self.deadline:
                 return False
             node = heapq.heappop(self.heap)[-1]
-            if node.clocks is None:
+            if node.cuts < len(self.cuts):
+                self.push([node])
+            elif node.clocks is None:
                 self.settle(node)
             elif node.end - node.begin >= SPLIT_S:
                 halves = []
@@ -258,15 +273,42 @@ class _Search:
                 row, a, b = int(rows[k]), int(i[k]), int(j[k])
                 if a < 0 or self.trip(row, a, b, stops, u, u - v) is not None:
                     fixed, keep[k] = fixed + float(middle[k]), False
-                elif u == v or self.trip(row, a, b, stops, v, v - u) is None:
+                elif self.cut(row, a, b, stops, u, v):
+                    continue
+                elif u == v or self.never(row, a, b, stops, u, v):
                     refuted.append((row, a * len(self.numbers.pos) + b))
         rest = replace(
             node, fixed=fixed, rows=rows[keep], low=node.low[keep], refuted=tuple(refuted)
         )
-        if u == v or len(refuted) > len(node.refuted):
+        if u == v or len(refuted) > len(node.refuted) or len(self.cuts) > node.cuts:
             self.push([rest])
         else:
             self.push([replace(rest, begin=low, end=high) for low, high in _halves(u, v)])
+
+    def never(self, row: int, i: int, j: int, stops: Stops, u: int, v: int) -> bool:
+        """Whether a pair cannot be driven at any departure of a span."""
+        if self.numbers.approach[row, i] == 0 and row != self.numbers.master:
+            leaves = Timetable.of(self.star, v, stops).leave_s[self.numbers.pos[i]]
+            if leaves > self.numbers.vehicles[row, kernel.LATEST]:
+                return False  # it leaves its origin with the platoon, and might leave earlier
+        return self.trip(row, i, j, stops, v, v - u) is None
+
+    def cut(self, row: int, i: int, j: int, stops: Stops, u: int, v: int) -> bool:
+        """Rule a pair out whatever the stops are, if it is; return whether it is."""
+        if self.free is None or row == self.numbers.master:
+            return False
+        at, shift = self.numbers.pos, self.numbers.first_node
+        by = int(Timetable.of(self.star, v, stops).leave_s[at[i]])
+        after = int(Timetable.of(self.star, u, stops).arrive_s[at[j]])
+        for more in (0, *LOOSER_S):
+            if self.free(row, i - shift, j - shift, by + more, after - more):
+                break
+            if more == 0:
+                self.cuts.append((0, 0, 0, 0))
+            self.cuts[-1] = row, i * len(at) + j, by + more, after - more
+        else:
+            return True
+        return bool(more)
 
     def trip(
         self, row: int, i: int, j: int, stops: Stops, departure: int, slack: int
@@ -332,6 +374,7 @@ def search_platoon(
     real: Real | None,
     time_limit_s: float = 10.0,
     *,
+    free: Free | None = None,
     in_time: Marks | None = None,
     plain: Marks | None = None,
     extra_stops: int = 1,
@@ -348,6 +391,8 @@ def search_platoon(
         trips are asked for.
     time_limit_s : float
         After which the best found is returned, with its bound [s].
+    free : callable, optional
+        Says whether a member could drive by two nodes whatever the stops are; it saves questions.
     in_time : ndarray of bool, (M,), optional
         Which members may go alone: in time and within the law; by default those whose cost alone is
         finite.
@@ -383,7 +428,7 @@ def search_platoon(
         total = float(np.abs(star.alone[np.isfinite(star.alone)]).sum()) + 1.0
         search = _Search(
             star, numbers, MasterStops(numbers, most, rests, lengths), real,
-            began + time_limit_s, evaluator(members * len(numbers.pos)), SAME * total,
+            began + time_limit_s, evaluator(members * len(numbers.pos)), SAME * total, free,
         )  # fmt: skip
         ended = search.run(begin, end)
         found = _result(search, ended, began)

@@ -156,7 +156,7 @@ class MasterStops:
 
     @property
     def plan(self) -> Seconds:
-        """What the kernel needs: the most stops and rests, the longest stop without and with one."""
+        """The most stops and rests, the longest stop without a rest and with one."""
         v = self._row
         short = max((one for one in (int(v[kernel.BREAK]), *self.lengths) if one < FAR), default=0)
         rest = max(int(v[kernel.SURE_REST]), int(v[kernel.REST]), *self.lengths, 0)

@@ -222,7 +222,7 @@ def _timed_star(
     own = star_way(legal, star, _case(legal), among)
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
-    timing = search_platoon(own.times, ways.real, limit_s, plain=open_roads)
+    timing = search_platoon(own.times, ways.real, limit_s, free=ways.free, plain=open_roads)
     together: list[Sequence[Together]] = [
         () if one.is_alone else ((one.merge, one.separate),) for one in timing.members
     ] or [() for _ in star.members]
