@@ -7,9 +7,9 @@ and one that the rules ask for says where it is. Every leg has one driver.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from ..plans.pauses import Pause
+from ..plans.pauses import DriverDay, Pause
 from ..plans.plan import Plan
 from ..plans.timetable import LATE_S, VehicleTimes
 from .activities import clock_span
@@ -92,7 +92,7 @@ def _pauses(times: VehicleTimes, rules: RuleSet) -> Iterator[Violation]:
     if len(times.drivers) > 1:
         least_s.update(rules.team_least_s)
     ends = [times.departure_s, *(end for _, end in times.legs)]
-    parted = any(driver.state.first_part_taken for driver in times.drivers)
+    parted = any(_parted_before(driver, times.departure_s, least_s) for driver in times.drivers)
     free_s = times.departure_s
     for pause in sorted(times.pauses, key=lambda one: one.start_s):
         low_s = max(free_s, ends[pause.before])
@@ -116,6 +116,13 @@ def _pauses(times: VehicleTimes, rules: RuleSet) -> Iterator[Violation]:
             text = "takes the second part of a break before the first"
             yield Violation(ARTICLE, pause.start_s, pause.end_s - pause.start_s, text)
         parted = _parted(pause, parted)
+
+
+def _parted_before(driver: DriverDay, leaves_s: float, least_s: Mapping[str, float]) -> bool:
+    """Return whether a driver has taken a first part when it leaves, before the trip or waiting."""
+    stood_s = leaves_s - driver.state_at_s
+    waited = "first_part" in least_s and stood_s >= least_s["first_part"] - NEAR_S
+    return driver.state.first_part_taken or (waited and driver.state.driven_since_break_s > 0)
 
 
 def _parted(pause: Pause, before: bool) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..driving.rules import limits_of
 from .answers import Answer
 from .question import Question
 
@@ -59,7 +60,10 @@ def _reason(
         end = "destination" if asked == "A" else "origin"
         return f"case {asked} does not apply: its {end} is not on the route of {names[master]}"
     if would_join:
-        return f"the clock forbids what it could save with {names[master]}"
+        problem = question.problem
+        law = limits_of(problem.rules, problem.trips[index].driver.drivers).limits_driving
+        forbid = "the clock and the driving rules forbid" if law else "the clock forbids"
+        return f"{forbid} what it could save with {names[master]}"
     most = question.problem.max_platoon
     bounds = "" if most is None else f", or platoons of {most} are full"
     if len(names) == 2 or question.fixed_master is not None:

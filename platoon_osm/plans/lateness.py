@@ -79,7 +79,10 @@ def late_alone_s(times: VehicleTimes, alone_s: float) -> float | None:
     -------
     float or None
         0 if it would be in time; None if it named no earliest departure or no latest arrival.
+        Under driving rules breaks count too, and nobody is later than alone.
     """
+    if times.drivers and times.late_s:
+        return times.late_s
     first, latest = times.earliest_departure_s, times.latest_arrival_s
     if first is None or latest is None:
         return None

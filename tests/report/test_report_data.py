@@ -16,6 +16,7 @@ import geopandas
 import pytest
 from hostile_names import HOSTILE
 from icalendar import Calendar
+from paused_plans import day_with_breaks, night
 from plan_kinds import plan_kind, timed
 from po_valley import THREE, make_plan, po_valley
 from shapely import hausdorff_distance
@@ -94,6 +95,8 @@ def compared(plan: Plan, net: Any, opened: Any, folder: Path) -> None:
                 assert abs(moments[0] - moments[1]) <= SECOND
                 assert moments[0].utcoffset() == moments[1].utcoffset()
         assert list(found["waiting_s"]) == pytest.approx(list(frame["waiting_s"]), abs=0.21)
+        breaks = list(frame["break_before_min"])
+        assert list(found["break_before_min"]) == pytest.approx(breaks, abs=0.01)
     for ours, theirs in zip(found.geometry, frame.geometry, strict=True):
         assert hausdorff_distance(ours, theirs) < 1e-4
     po.write_csv(plan, net, folder / "legs.csv")
@@ -119,6 +122,16 @@ def test_what_the_page_saves_is_what_python_exports(
     compared(plan, net, opened, tmp_path)
     compare_tracks(plan, net, opened, tmp_path)
     opened.check(opened.path)
+
+
+@pytest.mark.parametrize("make", [day_with_breaks, night])
+def test_legs_know_the_break_before_them(
+    make: Callable[[], Any], shown_plan: Callable[..., Any], tmp_path: Path
+) -> None:
+    plan, net = make()
+    opened = shown_plan(plan, net)
+    compared(plan, net, opened, tmp_path)
+    assert po.to_geodataframe(plan, net)["break_before_min"].sum() > 0
 
 
 def compare_tracks(plan: Plan, net: Any, opened: Any, folder: Path) -> None:
@@ -208,7 +221,9 @@ def test_the_calendar_of_the_page_is_that_of_the_sheets(
     _, net = plan_kind("three vehicles")
     days, eight = plan_kind("over several days")[0], plan_kind("eight vehicles")[0]
     kinds = set()
-    for number, made in enumerate((days, zoned(days), eight, zoned(waits()), namesakes())):
+    for number, made in enumerate(
+        (days, zoned(days), eight, zoned(waits()), namesakes(), day_with_breaks()[0], night()[0])
+    ):
         assert made.timetable is not None
         opened = shown_plan(made, net)
         folder = tmp_path / str(number)
@@ -228,7 +243,17 @@ def test_the_calendar_of_the_page_is_that_of_the_sheets(
             uids += [uid for uid, *_ in found]
         assert len(set(uids)) == len(uids)
         kinds |= {uid.split("-")[1] for uid in uids}
-    assert kinds == {"start", "merge", "separation", "wait", "end"}
+    assert kinds == {
+        "start",
+        "merge",
+        "separation",
+        "wait",
+        "end",
+        "break",
+        "rest",
+        "ban",
+        "change",
+    }
     assert opened.page.locator("[data-file='ics']").count() == 1
 
 

@@ -8,16 +8,21 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hostile_names import HOSTILE
 from rested_plans import MIN, H, corridor, corridor_with_breaks, two_days
 
 from platoon_osm.driving.state import DriverState
+from platoon_osm.plans.curves import DelayFrontier, DepartureCurve
 from platoon_osm.plans.pauses import Pause
 from platoon_osm.plans.plan import Plan
 from platoon_osm.report import report_document, write_html
+from platoon_osm.report.charts.time_worth import time_worth
 from platoon_osm.report.document.document import document_of
 from platoon_osm.report.document.stands import stands_of, waited_s
+from platoon_osm.report.language.speech import speaking
+from platoon_osm.report.markup.fragments import written
 
 
 def events_of(plan: Plan, language: str = "en") -> list[dict[str, Any]]:
@@ -238,3 +243,54 @@ def test_pauses_in_the_browser(visit: Any, tmp_path: Path) -> None:
     assert page.locator(".event-mark").count() == 5
     assert page.evaluate("document.documentElement.scrollWidth") <= 1440
     opened.check(path)
+
+
+# -- what the hour is worth ------------------------------------------------------------------------
+
+
+CURVE = DepartureCurve(
+    "A", ("B", "C"), "m", 100.0, "2026-03-02T06:00:00", "", (),
+    begin_s=np.array([0.0, 1200.0, 2400.0]), end_s=np.array([1200.0, 2400.0, 3600.0]),
+    cost=np.array([100.0, 90.0, 80.0]), end_cost=np.array([100.0, 90.0, 85.0]),
+    company=np.array([0, 1, 2]), joins=(np.array([[1200.0, 3600.0]]), np.array([[2400.0, 3600.0]])),
+    best_s=2400.0, best_cost=80.0, conditions=("waiting at merging points is free",),
+)  # fmt: skip
+
+
+def frontier(bound: list[float]) -> DelayFrontier:
+    return DelayFrontier(
+        ("A", "B", "C"), "m", 100.0, np.array([0.0, 30.0, 60.0]), np.array([100.0, 90.0, 80.0]),
+        np.array(bound), ("", "A", "A"), np.array([0, 1, 2]),
+    )  # fmt: skip
+
+
+def test_curve_and_frontier_are_drawn_with_tables_of_their_numbers() -> None:
+    with speaking("en"):
+        text = written(time_worth(CURVE, frontier([100.0, 90.0, 80.0])))
+        assert "Most is saved if A leaves at 06:40: 20.0" in text
+        assert "Holds for: waiting at merging points is free." in text
+        rows = re.findall("<tr>(.*?)</tr>", text, re.S)
+        told = [re.findall(r'<td class="number">(.*?)</td>', row, re.S) for row in rows]
+        assert [one[0] for one in told if one] == [
+            "06:00 \u2013 06:20", "06:20 \u2013 06:40", "06:40 \u2013 07:00",
+            "0 min", "30 min", "1 h 00 min",
+        ]  # fmt: skip
+        assert [one[-1] for one in told if one] == ["0", "1", "2", "0", "1", "2"]
+        # The curve's line: each step from its begin to its end, falling from 20 to 15 % at last.
+        (line, stairs) = re.findall(r'<polyline points="([^"]*)"', text)
+        ys = [float(point.split(",")[1]) for point in line.split(" ")]
+        assert ys == pytest.approx([138, 138, 78, 78, 18, 48])
+        assert stairs.count(" ") == 4
+        assert "Dashed" not in text
+        open_ = written(time_worth(None, frontier([100.0, 85.0, 70.0])))
+        assert "Dashed: no plan saves more." in open_
+        assert open_.count("<polyline") == 2
+        assert written(time_worth(None, None)) == ""
+
+
+def test_names_in_a_curve_are_shown_as_they_are() -> None:
+    with speaking("de"):
+        plain = set(re.findall(r"<(\w+)", written(time_worth(CURVE, None))))
+        for name in HOSTILE:
+            text = written(time_worth(replace(CURVE, master=name, conditions=(name,)), None))
+            assert set(re.findall(r"<(\w+)", text)) <= plain

@@ -16,6 +16,7 @@ from hostile_names import HOSTILE
 from icalendar import Calendar
 from plan_kinds import SIX, hours, plan_kind, timed
 from po_valley import THREE, make_plan, po_valley
+from printed_sheets import FAULTS, PAGES
 
 import platoon_osm as po
 from platoon_osm.planning.timing.schedule import with_times
@@ -34,24 +35,6 @@ KINDS = (
     "beside the road", "a tall country", "long names", "names without a break",
     "names in other scripts", "the same trip thrice",
 )  # fmt: skip
-
-PAGES = rb"/Type\s*/Page[^s]"
-
-FAULTS = """() => [...document.querySelectorAll('.sheet')].flatMap((sheet) => {
-  const page = sheet.getBoundingClientRect();
-  const out = [...sheet.querySelectorAll(':scope > *, .step, .head, .without, .face, dd, h1, td')]
-    .filter((one) => {
-      const box = one.getBoundingClientRect();
-      return box.bottom > page.bottom + 0.5 || box.right > page.right + 0.5
-        || one.scrollWidth > one.clientWidth + 1 && one.clientWidth > 0;
-    });
-  const texts = [...sheet.querySelectorAll('.strip text')].filter((text) => {
-    const box = text.getBoundingClientRect();
-    return box.left < page.left - 1 || box.right > page.right + 1;
-  });
-  return [...out, ...texts].map((one) =>
-    `${sheet.id}: ${one.tagName} ${one.className} ${one.textContent.slice(0, 40)}`);
-})"""
 
 
 def all_steps(plan: Plan, net: Any, patience_s: float | None = None) -> list[tuple[Step, ...]]:

@@ -39,9 +39,9 @@ class Stop:
 
 def paused(
     plan: Plan, net: RoadNetwork, stops: Sequence[Stop], *, rules: str = "eu561",
-    drivers: Callable[[int], tuple[DriverDay, ...]] | None = None, places: bool = True,
+    drivers: Callable[[int, int], tuple[DriverDay, ...]] | None = None,
 ) -> Plan:  # fmt: skip
-    """Return a timed plan with pauses; `drivers` says who drives a vehicle of so many legs."""
+    """Return a timed plan with pauses; `drivers` takes first leg after a pause, and legs."""
     assert plan.timetable is not None
     cuts = {k: [] for k in range(len(plan.stretches))}
     wanted: dict[tuple[int, int, float], Stop] = {}
@@ -81,7 +81,9 @@ def paused(
             legs=tuple(legs[i]),
             pauses=tuple(pauses[i]),
             latest_arrival_s=None,
-            drivers=(DriverDay(RESTED, 0.0),) if drivers is None else drivers(len(legs[i])),
+            drivers=(DriverDay(RESTED, 0.0),)
+            if drivers is None
+            else drivers(pauses[i][0].before if pauses[i] else 0, len(legs[i])),
         )
         for i, times in enumerate(plan.timetable.vehicles)
     )
@@ -145,11 +147,9 @@ def night(zone: str = "") -> tuple[Plan, RoadNetwork]:
         Stop(last, 0.5, 11 * H, ("daily_rest",), "Duino Sud", "rest_area", 0.0),
     ]
 
-    def two(legs: int) -> tuple[DriverDay, ...]:
-        state = DriverState(drivers=2)
-        return tuple(
-            DriverDay(state, 0.0, tuple(leg for leg in range(legs) if (leg >= 2) is bool(k)))
-            for k in range(2)
-        )
+    def two(change: int, legs: int) -> tuple[DriverDay, ...]:
+        state, second = DriverState(drivers=2), range(change, legs)
+        first = tuple(leg for leg in range(legs) if leg not in second)
+        return DriverDay(state, 0.0, first), DriverDay(state, 0.0, tuple(second))
 
     return paused(plan, net, stops, drivers=two), net

@@ -37,7 +37,7 @@ from .start import Start, starts_of
 from .timed import chosen, timed
 from .waiting import windows_of
 
-__all__ = ["Aim", "fastest", "least_late"]
+__all__ = ["Aim", "farthest", "fastest", "least_late"]
 
 Aim = Literal["arrive", "leave"]
 
@@ -159,6 +159,43 @@ def least_late(
     return one.arrival(state_at_s, earliest_s, NO_LIMIT if latest_s is None else latest_s)
 
 
+def farthest(
+    road: Road,
+    limits: Limits,
+    state: DriverState,
+    state_at_s: int | None,
+    earliest_s: int,
+    latest_s: int | None = None,
+    monday_s: int = 0,
+) -> int:
+    """Return how far a vehicle comes within the law.
+
+    Parameters
+    ----------
+    road : Road
+        The way.
+    limits : Limits
+        The law.
+    state : DriverState
+        What the driver has behind it.
+    state_at_s : int or None
+        When that holds [s].
+    earliest_s : int
+        The earliest departure [s].
+    latest_s : int, optional
+        The latest departure [s].
+    monday_s : int, optional
+        A Monday 0:00 UTC [s].
+
+    Returns
+    -------
+    int
+        The last point that it can reach.
+    """
+    one = _Search(road, limits, state, monday_s, dominance=True)
+    return one.reached(state_at_s, earliest_s, NO_LIMIT if latest_s is None else latest_s)
+
+
 class _Search:
     """The search on one road under one law."""
 
@@ -166,6 +203,7 @@ class _Search:
         self, road: Road, limits: Limits, state: DriverState, monday_s: int, dominance: bool
     ) -> None:
         self.road, self.state, self.monday, self.dominance = road, state, monday_s, dominance
+        self.asked = limits, state, monday_s, dominance
         self.numbers = numbers_of(limits)
         self.kinds = kinds_of(self.numbers)
         self.windows = windows_of(road)
@@ -219,6 +257,18 @@ class _Search:
                 bound = int(labels[low:high, TIME].min())
         return bound if bound < NO_LIMIT else None
 
+    def reached(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> int:
+        """Return the last point that can be reached, whatever becomes of it then."""
+        low, high = 0, self.road.hops
+        while low < high:
+            middle = (low + high + 1) // 2
+            part = _Search(_until(self.road, middle), *self.asked)
+            if part.arrival(state_at_s, earliest_s, latest_s) is None:
+                high = middle - 1
+            else:
+                low = middle
+        return low
+
     def _start(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> Start:
         first, windows = self.windows
         if self.road.leave_s[0] != FREE:
@@ -244,3 +294,12 @@ class _Search:
             late, self.weeks, int(weekly), width, self.dominance,
         )  # fmt: skip
         return found
+
+
+def _until(road: Road, point: int) -> Road:
+    """Return the part of a road up to a point."""
+    last = int(road.forbidden_first[point])
+    return Road(
+        road.drive_s[:point], road.clock_s[:point], road.stay_s[: point + 1],
+        road.leave_s[: point + 1], road.forbidden_first[: point + 1], road.forbidden_s[:last],
+    )  # fmt: skip

@@ -32,7 +32,7 @@ Edges = NDArray[np.int64]
 Closed = Callable[[int], Sequence[Interval]]
 """From an edge of the network to when it is closed [s]."""
 
-NEAR_S = 45 * 60.0
+NEAR_S = 60 * 60.0
 """Where parkings are farther apart than this, junctions between them may be stood at [s]."""
 
 APART_S = 4 * 60.0

@@ -42,6 +42,28 @@ function journeyOf(index) {
   return named([name, vehicle.origin.name, vehicle.destination.name, day, namesakes].join("\0"));
 }
 
+const long = (begin, end) => Math.round(end * 10) - Math.round(begin * 10) >= 300;
+
+/* Breaks, rests, bans and changes of drivers in a gap between two stretches; what they leave of it
+ * are waits. */
+function standsOf(index, begin, end) {
+  const found = [];
+  let at = begin;
+  const told = plan.events.filter((one) => one.until_s !== null && one.vehicles.includes(index)
+    && one.at_s > begin - 0.2 && one.until_s < end + 0.2);
+  if (!told.some((one) => one.kind !== "wait")) return found;
+  const wait = (until) => {
+    if (long(at, until)) found.push({ kind: "wait", title: say("waits"), at, end: until });
+  };
+  for (const one of told.sort((a, b) => a.at_s - b.at_s)) {
+    wait(one.at_s);
+    found.push({ ...one, title: say(`mark-${one.kind}`), at: one.at_s, end: one.until_s });
+    at = one.until_s;
+  }
+  wait(end);
+  return found;
+}
+
 /* What happens to a vehicle where one stretch of its way goes over into another. */
 function entriesOf(index) {
   const { way, times, origin, destination } = plan.vehicles[index];
@@ -65,7 +87,9 @@ function entriesOf(index) {
       const [lat, lon] = stretches[number].parts[0].points[0];
       found.push({ lat, lon, name: "", ...event, kind, title: say(`mark-${kind}`), at });
     }
-    if (found.length && Math.round(at * 10) - Math.round(reached * 10) >= 300) {
+    const stands = number < last ? standsOf(index, reached, at) : [];
+    if (stands.length) return [...stands.map((one) => ({ lat: 0, lon: 0, name: "", ...found[0], ...one })), ...found];
+    if (found.length && long(reached, at)) {
       found.unshift({ ...found[0], kind: "wait", title: say("waits"), at: reached, end: at });
     }
     return found;

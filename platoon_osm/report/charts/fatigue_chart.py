@@ -153,7 +153,8 @@ def _notes(document: Document, company: bool) -> Iterator[str]:
     if company:
         yield say("fatigue.dashed")
     yield say("fatigue.day-left-out")
-    if any(curve.beyond for vehicle in document.vehicles for curve in vehicle.fatigue.curves):
+    drawn = (v.fatigue.curves if company else (v.fatigue.joint,) for v in document.vehicles)
+    if any(curve.beyond for curves in drawn for curve in curves):
         yield say("fatigue.beyond")
 
 

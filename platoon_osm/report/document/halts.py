@@ -76,6 +76,13 @@ class Halt:
         return self.is_rest or bool({"break", "first_part", "second_part"} & set(self.purposes))
 
     @property
+    def what(self) -> str:
+        """What it is drawn as: "rest", "break", "ban", "change" or "wait", what matters most."""
+        if self.is_rest or self.is_break:
+            return "rest" if self.is_rest else "break"
+        return next((one for one in ("ban", "change") if one in self.purposes), "wait")
+
+    @property
     def has_parking(self) -> bool:
         """Whether trucks are known to park there."""
         return self.kind not in ("", "junction", "origin")

@@ -69,7 +69,7 @@ def status(
         yield Status("good", say("status.in-time", n=len(called)))
     others = [one for one in remarks if one.startswith(NOT_FEASIBLE)]
     for remark in others:
-        if not remark.startswith(LATENESS):
+        if not remark.startswith(LATENESS + ":"):
             yield Status("bad", fitted(in_language(remark)))
     if law is not None:
         beyond = list(_beyond(law, called))
@@ -100,7 +100,7 @@ def _alone(found: Lateness, called: Sequence[str]) -> Iterator[str]:
 
 def _gives(found: Lateness, remarks: Sequence[str]) -> Iterator[str]:
     """Yield what would have to give, where the planner has said so."""
-    if any(one.startswith(LATENESS) for one in remarks):
+    if any(one.startswith(LATENESS + ":") for one in remarks):
         alone = len(found.even_alone) == len(found.late)
         yield say("status.give-other-times" if alone else "status.give-other-company")
 

@@ -12,6 +12,7 @@ from ...errors import ScenarioError, brief
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
 from ...output_paths import PAGES
+from ...plans.curves import DelayFrontier, DepartureCurve
 from ...plans.plan import Plan
 from ..document.checks import check_path
 from ..document.document import document_of
@@ -37,6 +38,8 @@ def write_html(
     weights: EdgeWeights | None = None,
     language: str | None = None,
     clock: int | None = None,
+    curve: DepartureCurve | None = None,
+    frontier: DelayFrontier | None = None,
 ) -> None:
     """Write a plan's report: map, figures, table, points and provenance in one file.
 
@@ -63,6 +66,10 @@ def write_html(
         That the texts are in, such as "de"; by default English.
     clock : int or None
         24 or 12 hours; by default as the language has it.
+    curve : DepartureCurve or None
+        What is saved by when the master leaves, for a section of the page.
+    frontier : DelayFrontier or None
+        What is saved by how late all may arrive, likewise.
 
     Raises
     ------
@@ -80,6 +87,8 @@ def write_html(
         weights=weights,
         language=language,
         clock=clock,
+        curve=curve,
+        frontier=frontier,
     )
     text = made.get_root().render()
     with whole_file(path, suffixes=PAGES) as draft:
@@ -96,6 +105,8 @@ def plan_map(
     weights: EdgeWeights | None = None,
     language: str | None = None,
     clock: int | None = None,
+    curve: DepartureCurve | None = None,
+    frontier: DelayFrontier | None = None,
 ) -> folium.Map:
     """Return a plan's report as a `folium.Map`, whose page is that of `write_html`.
 
@@ -120,6 +131,10 @@ def plan_map(
         That the texts are in, such as "de"; by default English.
     clock : int or None
         24 or 12 hours; by default as the language has it.
+    curve : DepartureCurve or None
+        What is saved by when the master leaves, for a section of the page.
+    frontier : DelayFrontier or None
+        What is saved by how late all may arrive, likewise.
 
     Returns
     -------
@@ -137,7 +152,7 @@ def plan_map(
     layer = None if tiles is None else online_map(tiles)
     if layer is not None:
         document = _crediting(document, layer)
-    return PlanMap(PageParts(document, load_leaflet(leaflet_dir), layer))
+    return PlanMap(PageParts(document, load_leaflet(leaflet_dir), layer, (), curve, frontier))
 
 
 def _crediting(document: Document, tiles: Tiles) -> Document:

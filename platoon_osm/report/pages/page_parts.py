@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ...plans.curves import DelayFrontier, DepartureCurve
 from ..document.model import Document
 from ..language.speech import speaking
 from ..markup.fragments import (
@@ -87,6 +88,10 @@ class PageParts:
         An online map underneath; None for a page that never asks the network for anything.
     others : tuple of Another
         The page in all its languages, its own among them; empty for a page in one.
+    curve : DepartureCurve or None
+        What is saved by when the master leaves.
+    frontier : DelayFrontier or None
+        What is saved by how late all may arrive.
     """
 
     def __init__(
@@ -95,7 +100,10 @@ class PageParts:
         leaflet: Leaflet,
         tiles: Tiles | None = None,
         others: tuple[Another, ...] = (),
+        curve: DepartureCurve | None = None,
+        frontier: DelayFrontier | None = None,
     ) -> None:
+        self.curve, self.frontier = curve, frontier
         self.document = document
         self.leaflet = leaflet
         self.tiles = tiles
@@ -139,7 +147,8 @@ class PageParts:
             compact_asset(name) for name in (*PAGE_STYLES, "schedule.css", "selection.css")
         )
         live_map = Piece("live-map", {"id": map_id})
-        drawn = written(page_body(self.document, live_map, self._languages()))
+        languages, times = self._languages(), (self.curve, self.frontier)
+        drawn = written(page_body(self.document, live_map, languages, *times))
         body, style = with_style_classes(drawn, own_style)
         styles = [self.leaflet.style, style]
         tiles = self.tiles

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from ...plans.curves import DelayFrontier, DepartureCurve
 from ..charts.along_chart import along_chart
 from ..charts.driving_note import driving_note
 from ..charts.fatigue_chart import fatigue_chart
 from ..charts.law_chart import law_chart
 from ..charts.schedule_chart import schedule_chart
 from ..charts.time_distance_chart import time_distance_chart
+from ..charts.time_worth import time_worth
 from ..charts.waiting_bars import waiting_bars
 from ..document.model import Document, Group
 from ..document.model_vehicle import CostTexts, Vehicle
@@ -30,7 +32,13 @@ OPEN_UP_TO = 12
 """Vehicles in a plan all of whose groups are open from the start."""
 
 
-def page_body(document: Document, live_map: Tree, languages: Tree = NOTHING) -> Piece:
+def page_body(
+    document: Document,
+    live_map: Tree,
+    languages: Tree = NOTHING,
+    curve: DepartureCurve | None = None,
+    frontier: DelayFrontier | None = None,
+) -> Piece:
     """Return all that stands in the page's body but its scripts.
 
     Parameters
@@ -41,6 +49,10 @@ def page_body(document: Document, live_map: Tree, languages: Tree = NOTHING) -> 
         The element that the script draws in.
     languages : Tree
         Links to the page in other languages.
+    curve : DepartureCurve or None
+        What is saved by when the master leaves.
+    frontier : DelayFrontier or None
+        What is saved by how late all may arrive.
 
     Returns
     -------
@@ -60,7 +72,12 @@ def page_body(document: Document, live_map: Tree, languages: Tree = NOTHING) -> 
             "languages": languages,
             "journey": _journey(document),
             "vehicles": _vehicles(document),
-            "fatigue": (law_chart(document), fatigue_chart(document), driving_note(document)),
+            "fatigue": (
+                law_chart(document),
+                fatigue_chart(document),
+                driving_note(document),
+                time_worth(curve, frontier),
+            ),
             "notes": _notes(document),
             "about": about(
                 document,
@@ -182,6 +199,8 @@ def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
     ]
     stands = any(event.stands for event in document.events)
     heading = say("events.with-pauses" if stands else "events.heading")
+    if all(event.stands for event in document.events):
+        heading = say("events.pauses")
     return (
         Piece("events", {"key": key, "heading": heading, "items": tuple(found)})
         if found

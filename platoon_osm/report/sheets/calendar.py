@@ -1,4 +1,4 @@
-"""A vehicle's journey as a calendar (RFC 5545): departure, meetings, waits, partings, arrival.
+"""A vehicle's journey as a calendar (RFC 5545): departure, meetings, pauses, partings, arrival.
 
 Moments are in UTC where the plan's times have a zone, else local and without one, as the plan's
 are. Nothing depends on the hour of writing: an event is known by journey, day, kind and number, so
@@ -18,7 +18,9 @@ from ...network.antimeridian import wrapped_deg
 from ...plans.clock import MENTIONED_S, Clock
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
+from ..document.halts import Halt
 from ..language.speech import say
+from .pause_words import pause_title, place_called
 from .steps import Step
 from .words import StepWords
 
@@ -66,7 +68,7 @@ def calendar(
     made.add("calscale", "GREGORIAN")
     made.add("x-wr-calname", name)
     journey, seen = _journey(plan, index, clock), Counter[str]()
-    for kind, number, begin_s, end_s, what in _entries(steps, words):
+    for kind, number, begin_s, end_s, what, halt in _entries(steps, words):
         event, said = Event(), words[number]
         seen[kind] += 1
         event.add("uid", f"{journey}-{kind}-{seen[kind]}@platoon-osm")
@@ -75,8 +77,9 @@ def calendar(
         if end_s is not None:
             event.add("dtend", _moment(clock, end_s))
         event.add("summary", f"{name}: {what}")
-        event.add("location", said.place)
-        place = steps[number].place
+        place = steps[number].place if halt is None else halt
+        named = said.place if halt is None else place_called(halt)
+        event.add("location", named)
         event.add("geo", (round(place.lat, 6), round(float(wrapped_deg(place.lon)), 6)))
         told = (said.what, said.wait, said.without, said.way, said.at, " \u00b7 ".join(credits))
         event.add("description", "\n".join(text for text in told if text))
@@ -86,17 +89,26 @@ def calendar(
 
 def _entries(
     steps: Sequence[Step], words: Sequence[StepWords]
-) -> Iterator[tuple[str, int, float, float | None, str]]:
-    """Yield kind, number of the step, begin and end [s] of each entry, and what it is called."""
+) -> Iterator[tuple[str, int, float, float | None, str, Halt | None]]:
+    """Yield of each entry kind, number of the step, begin and end [s], name, and any halt."""
     for number, (step, said) in enumerate(zip(steps, words, strict=True)):
         if said.kind == "road":
             continue
-        if _waits(step):
+        if step.pauses:
+            for halt in step.halts:
+                yield halt.what, number, halt.begin_s, halt.end_s, _called(halt), halt
+        elif _waits(step):
             begin_s = step.reached_s or 0.0
-            yield "wait", number, begin_s, step.leaves_s, say("sheet.waiting", at=said.place)
+            yield "wait", number, begin_s, step.leaves_s, say("sheet.waiting", at=said.place), None
+        if step.is_pause and number:
+            continue
         at = step.reached_s if step.leaves_s is None else step.leaves_s
         if at is not None:
-            yield said.kind, number, at, None, said.what
+            yield said.kind, number, at, None, said.what, None
+
+
+def _called(halt: Halt) -> str:
+    return say("sheet.waiting", at=place_called(halt)) if halt.what == "wait" else pause_title(halt)
 
 
 def _waits(step: Step) -> bool:

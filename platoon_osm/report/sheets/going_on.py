@@ -1,9 +1,10 @@
 """What a driver does if those who are to be met do not come: until when to wait, and what then.
 
-With R the driving time of the rest of the way [s] and a the latest arrival asked for, a vehicle
-that leaves a meeting point by a - R is there in time. For a trip without a latest arrival, a is as
-late as the planner's patience let company make it. What is not in the plan is not made up: if that
-is not known either there is no such moment, unless the caller names a patience.
+With R the driving time of the rest of the way [s], its planned breaks and rests among it, and a the
+latest arrival asked for, a vehicle that leaves a meeting point by a - R is there in time. For a
+trip without a latest arrival, a is as late as the planner's patience let company make it. What is
+not in the plan is not made up: if that is not known either there is no such moment, unless the
+caller names a patience.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ from dataclasses import dataclass
 
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
+from ...plans.standing import asked_by_rules
+from ...plans.timetable import VehicleTimes
 from ..document.roads import roads_of
 
 __all__ = ["GoingOn", "going_on"]
@@ -87,22 +90,41 @@ def going_on(
     if times is None:
         return GoingOn(None, False, None, roads_of(net, edges), length_m, drive_s, with_others)
     planned, latest = times.legs[number][0], times.latest_arrival_s
-    in_time = None if latest is None else latest - drive_s
+    # What driving rules ask for on the way on is taken in any case.
+    later = (one for one in times.pauses if one.before > number and asked_by_rules(one))
+    rest_s = drive_s + sum(one.duration_s for one in later)
+    in_time = None if latest is None else latest - rest_s
     patient = None if patience_s is None else planned + patience_s
     if latest is None and plan.timetable is not None:
         alone_s = plan.trips[index].alone.time_s
         allowed = plan.timetable.patient_until_s(index, alone_s)
         if allowed is not None:
-            patient = min(allowed - drive_s, math.inf if patient is None else patient)
+            patient = min(allowed - rest_s, math.inf if patient is None else patient)
     limits = [limit for limit in (in_time, patient) if limit is not None]
     # Who would be late anyway waits no longer than planned.
     until = max(min(limits), planned) if limits else None
+    leaves = planned if until is None else until
     return GoingOn(
         until_s=until,
         by_patience=until is not None and until == patient,
-        arrives_s=(planned if until is None else until) + drive_s,
+        arrives_s=max(leaves + rest_s, _after_bans_s(times, number) if number else 0.0),
         roads=roads_of(net, edges),
         length_m=length_m,
         drive_s=drive_s,
         with_others=with_others,
     )
+
+
+def _after_bans_s(times: VehicleTimes, number: int) -> float:
+    """Return before when no vehicle is there that goes on with a leg, for bans on its way [s].
+
+    From the end of a ban on it drives and rests as planned.
+    """
+    found = -math.inf
+    for leg in range(number, len(times.legs)):
+        for pause in times.pauses:
+            if pause.before == leg > number:
+                found += pause.duration_s if asked_by_rules(pause) else 0.0
+                found = max(found, pause.end_s if "ban" in pause.purposes else found)
+        found += times.legs[leg][1] - times.legs[leg][0]
+    return found

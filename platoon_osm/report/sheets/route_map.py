@@ -70,7 +70,7 @@ def own_document(
     )
     events = tuple(
         EventMark(
-            kind="merge" if step.joined else "separation",
+            kind=_kind(step),
             lon=found.longitude(step.place.lon),
             lat=step.place.lat,
             name=fitted(step.place.name),
@@ -80,9 +80,10 @@ def own_document(
             at_s=None,
             text="",
             detail="",
+            has_parking=not step.is_pause or step.pauses[0].has_parking,
         )
         for step in steps[1:-1]
-        if step.joined or step.left
+        if step.joined or step.left or step.pauses
     )
     return replace(
         document,
@@ -93,6 +94,12 @@ def own_document(
         events=events,
         traffic=None,
     )
+
+
+def _kind(step: Step) -> str:
+    if step.is_pause:
+        return step.pauses[0].what
+    return "merge" if step.joined else "separation"
 
 
 def route_map(own: Document, key: str, size: tuple[float, float]) -> Piece:

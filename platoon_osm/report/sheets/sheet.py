@@ -1,29 +1,22 @@
-"""One driver's sheet as a piece of a page: what comes first, the strip, the steps, the map."""
+"""One driver's sheet as a piece of a page: its head, the strip, the steps, the map."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-
-from ...plans.clock import MENTIONED_S, duration
-from ...plans.timetable import LATE_S, VehicleTimes
 from ...shown_text import fitted, shortened
-from ..document.findings import Findings
-from ..document.model import Document
-from ..language.speech import day_and_date, late_by, say, zone_text
+from ..language.speech import day_and_date, say, zone_text
+from ..maps.pause_icons import PAUSE_KINDS
 from ..markup.fragments import NOTHING, Piece, Tree
-from ..markup.quantities import kilometres
 from ..pages.page_pieces import badge
+from .head import Journey, alerts_of, counted_of, facts_of, notes_of
 from .layout import CROWDED, MAP_WIDTH_MM, Layout, layout_of, lines_of
 from .route_map import own_document, route_map
 from .steps import Step, Way
 from .strip import strip
-from .words import StepWords, Teller
+from .words import StepWords
 
 __all__ = ["Journey", "sheet"]
 
 LONGEST_HEAD = 90
-LONGEST_NOTE = 260
 LONGEST_NAME = 26
 
 FEW_FACES = 8
@@ -32,41 +25,8 @@ FEW_FACES = 8
 MAP_PX = 720.0
 """Width of a map in its own pixels."""
 
-BREAK_AFTER_S, BREAK_S = 4.5 * 3600, 45 * 60.0
-"""Driving beyond the first without the second is said, whatever the law of the land."""
-
 HEAD_MM = 62.0
 """Heading, facts, strip and credits of a sheet that has one line of each."""
-
-
-@dataclass(frozen=True, slots=True)
-class Journey:
-    """All that a sheet tells of one vehicle.
-
-    Attributes
-    ----------
-    found : Findings
-        Of the plan.
-    document : Document
-        Of the plan.
-    index : int
-        Position of the vehicle.
-    steps : tuple of Step
-        Of it.
-    words : tuple of StepWords
-        The same in words.
-    """
-
-    found: Findings
-    document: Document
-    index: int
-    steps: tuple[Step, ...]
-    words: tuple[StepWords, ...]
-
-    @property
-    def times(self) -> VehicleTimes | None:
-        """When it drives."""
-        return self.found.plan.times[self.index]
 
 
 def sheet(journey: Journey) -> Piece:
@@ -88,8 +48,9 @@ def sheet(journey: Journey) -> Piece:
     origin, destination = (
         shortened(stop.name, LONGEST_HEAD) for stop in (vehicle.origin, vehicle.destination)
     )
-    alerts, notes = _alerts(journey), _notes(journey)
-    lines = [*alerts, *notes]
+    alerts, notes = alerts_of(journey), notes_of(journey)
+    counted = counted_of(journey)
+    lines = [*alerts, *notes, *filter(None, [counted])]
     head_mm = HEAD_MM + sum(1.5 + 4.4 * lines_of(text, 12.5, 180.0) for text in lines)
     head_mm += 7.0 * (lines_of(name, 25.0, 125.0) - 1)
     head_mm += 5.0 * (lines_of(f"{origin} - {destination}", 14.5, 125.0) - 1)
@@ -107,7 +68,8 @@ def sheet(journey: Journey) -> Piece:
             "destination": destination,
             "day": _day(journey),
             "alerts": tuple(Piece("sheet-alert", {"text": text}) for text in alerts),
-            "facts": _facts(journey),
+            "facts": facts_of(journey),
+            "law": _said("sheet-law", counted),
             "strip": strip(vehicle, journey.steps, journey.words, key),
             "steps": _steps(journey, layout),
             "map": _map(journey, key, layout),
@@ -133,68 +95,6 @@ def _day(journey: Journey) -> Tree:
         "sheet-day",
         {"date": day_and_date(clock.moment(0.0)), "zone": zone_text(clock)},
     )
-
-
-# -- what comes first, and what comes last ---------------------------------------------------------
-
-
-def _alerts(journey: Journey) -> list[str]:
-    """Return what a driver has to know before all else: being late, and hours without a break."""
-    found: list[str] = []
-    plan, times = journey.found.plan, journey.times
-    teller = Teller(journey.found, journey.index)
-    if times is not None and times.late_s:
-        first, latest = times.earliest_departure_s, times.latest_arrival_s
-        assert latest is not None
-        alone_s = plan.trips[journey.index].alone.time_s
-        even_alone = first is not None and times.late_s <= first + alone_s - latest + LATE_S
-        key = "sheet.late-alone" if even_alone else "sheet.late"
-        found.append(say(key, by=late_by(times.late_s), latest=teller.time(latest)))
-    longest = _longest_drive_s(journey.steps)
-    if longest > BREAK_AFTER_S + MENTIONED_S:
-        found.append(say("sheet.no-break", drive=duration(longest)))
-    return found
-
-
-def _longest_drive_s(steps: Sequence[Step]) -> float:
-    longest = run = 0.0
-    for step in steps:
-        run = 0.0 if step.wait_s >= BREAK_S else run
-        run += step.way.drive_s if step.way else 0.0
-        longest = max(longest, run)
-    return longest
-
-
-def _notes(journey: Journey) -> list[str]:
-    vehicle = journey.document.vehicles[journey.index]
-    found: list[str] = []
-    if vehicle.role == "alone":
-        reason = shortened(vehicle.reason, LONGEST_NOTE)
-        found.append(say("sheet.alone-for", reason=reason) if reason else say("sheet.alone"))
-    if vehicle.inferred_text:
-        found.append(say("sheet.inferred", km=vehicle.inferred_text))
-    if vehicle.access_m:
-        found.append(say("sheet.access"))
-    return found
-
-
-def _facts(journey: Journey) -> Tree:
-    teller = Teller(journey.found, journey.index)
-    own = journey.found.plan.vehicles[journey.index]
-    times = journey.times
-    told: list[tuple[str, str]] = []
-    if times is not None:
-        told.append((say("sheet.departure"), teller.time(times.departure_s)))
-        told.append((say("sheet.arrival"), teller.time(times.arrival_s)))
-        if times.latest_arrival_s is not None:
-            told.append((say("sheet.latest"), teller.time(times.latest_arrival_s)))
-    told.append((say("sheet.distance"), kilometres(own.length_m)))
-    told.append((say("sheet.driving"), duration(own.time_s)))
-    if own.platoon_m:
-        told.append((say("sheet.together"), kilometres(own.platoon_m)))
-    if times is not None and times.waiting_s >= MENTIONED_S:
-        told.append((say("sheet.waits"), duration(times.waiting_s)))
-    return tuple(Piece("sheet-fact", {"label": label, "text": text}) for label, text in told)
 
 
 # -- the steps -------------------------------------------------------------------------------------
@@ -250,7 +150,7 @@ def _line(way: Way | None) -> str:
 
 def _mark(journey: Journey, kind: str) -> Piece:
     vehicle = journey.document.vehicles[journey.index]
-    if kind in ("merge", "separation"):
+    if kind in ("merge", "separation", *PAUSE_KINDS):
         return Piece("sheet-icon", {"icon": kind})
     return Piece(
         f"sheet-mark-{kind}",

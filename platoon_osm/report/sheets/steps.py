@@ -1,7 +1,8 @@
 """A vehicle's journey as its driver goes through it: place by place, and who is met or left there.
 
 Everything is read off the plan. A step is a place where something changes for the driver: who
-drives along, in which order, or whether it is road. What happens to others elsewhere is not told.
+drives along, in which order, whether it is road, or who of two is at the wheel; or a place where
+the vehicle stands. What happens to others elsewhere is not told.
 """
 
 from __future__ import annotations
@@ -14,10 +15,12 @@ from ...network.road_network import RoadNetwork
 from ...plans.clock import MENTIONED_S
 from ...plans.plan import Plan
 from ...plans.records import PlatoonPoint, Stop, Stretch
+from ...plans.timetable import VehicleTimes
+from ..document.halts import Halt, halts_of
 from ..document.roads import roads_of
 from .going_on import GoingOn, going_on
 
-__all__ = ["Step", "Way", "steps_of"]
+__all__ = ["Step", "Way", "driver_at", "steps_of"]
 
 Company = tuple[int, ...]
 
@@ -72,6 +75,10 @@ class Step:
         Whether one of the company waits here for others.
     without : GoingOn or None
         What to do if those who are to be met do not come; None if nobody is.
+    halts : tuple of Halt
+        Why the vehicle stands here, in order of time.
+    turn : int or None
+        Which of two drivers, 1 or 2, drives from here on; None if that is no news.
     """
 
     place: Stop | PlatoonPoint
@@ -84,18 +91,34 @@ class Step:
     way: Way | None
     waited_for: bool = False
     without: GoingOn | None = None
+    halts: tuple[Halt, ...] = ()
+    turn: int | None = None
+
+    @property
+    def pauses(self) -> tuple[Halt, ...]:
+        """Breaks, rests, bans and changes of drivers; all halts but waits for others."""
+        return tuple(one for one in self.halts if one.what != "wait")
 
     @property
     def wait_s(self) -> float:
-        """How long the vehicle waits here; 0 if that is not worth telling."""
+        """How long the vehicle waits for others here; 0 if that is not worth telling."""
         if self.reached_s is None or self.leaves_s is None:
             return 0.0
-        wait = self.leaves_s - self.reached_s
+        wait = self.leaves_s - self.reached_s - sum(one.lasts_s for one in self.pauses)
         return wait if wait >= MENTIONED_S else 0.0
+
+    @property
+    def is_pause(self) -> bool:
+        """Whether the vehicle does nothing here but pause."""
+        return bool(self.pauses) and not (self.joined or self.left)
 
 
 def steps_of(
-    plan: Plan, net: RoadNetwork, index: int, patience_s: float | None = None
+    plan: Plan,
+    net: RoadNetwork,
+    index: int,
+    patience_s: float | None = None,
+    halts: Sequence[Halt] | None = None,
 ) -> tuple[Step, ...]:
     """Return the steps of a vehicle, from its origin to its destination.
 
@@ -110,6 +133,8 @@ def steps_of(
     patience_s : float or None
         How long after the planned moment to wait for others at most [s]; None for no other limit
         than the latest arrival.
+    halts : sequence of Halt, optional
+        Where it stands, if that is known already.
 
     Returns
     -------
@@ -118,6 +143,7 @@ def steps_of(
     """
     stretches = [plan.stretches[k] for k in plan.ways[index]]
     times = plan.times[index]
+    halts = halts_of(plan, net)[index] if halts is None else halts
     driven = [0.0, *accumulate(one.length_m for one in stretches)]
     found: list[Step] = []
     for number in range(len(stretches) + 1):
@@ -130,7 +156,16 @@ def steps_of(
         if times is not None:
             reached = times.legs[number - 1][1] if number else times.departure_s
             leaves = times.legs[number][0] if after else None
+        stands = tuple(one for one in halts if one.before == number)
+        turn = None
+        if times is not None and after is not None:
+            turn = driver_at(times, number)
+            if number and turn == driver_at(times, number - 1):
+                turn = None
         place, moves = _place(plan, net, index, number, joined, left)
+        aside = next((one for one in stands if one.what != "wait"), None)
+        if aside is not None and number and not (joined or left):
+            place = Stop(-1, aside.lon, aside.lat, aside.name)
         step = Step(
             place=place,
             at_m=driven[number],
@@ -142,6 +177,8 @@ def steps_of(
             way=None if after is None else _way(net, after),
             waited_for=bool(joined) and _others_wait(plan, index, number),
             without=going_on(plan, net, index, number, patience_s) if joined else None,
+            halts=stands,
+            turn=turn,
         )
         if found and after is not None and not _tells(step, found[-1], came, goes):
             found[-1] = replace(found[-1], way=_longer(found[-1].way, step.way))
@@ -159,7 +196,33 @@ def _tells(step: Step, last: Step, came: Company, goes: Company) -> bool:
     on_road = step.way is not None and last.way is not None and (
         step.way.is_access != last.way.is_access
     )  # fmt: skip
-    return came != goes or on_road or step.wait_s > 0
+    stands = step.wait_s > 0 or bool(step.pauses)
+    return came != goes or on_road or stands or step.turn is not None
+
+
+def driver_at(times: VehicleTimes, leg: int) -> int | None:
+    """Return which of two drivers drives a leg.
+
+    Parameters
+    ----------
+    times : VehicleTimes
+        Of a vehicle.
+    leg : int
+        Counted from 0 along its way.
+
+    Returns
+    -------
+    int or None
+        1 or 2; None for a vehicle of one driver. Where the plan does not say who drives which leg,
+        the first begins and each change of drivers is one.
+    """
+    for number, driver in enumerate(times.drivers, 1):
+        if len(times.drivers) > 1 and driver.drives is not None and leg in driver.drives:
+            return number
+    if max((driver.state.drivers for driver in times.drivers), default=1) < 2:
+        return None
+    changes = sum("change" in one.purposes and one.before <= leg for one in times.pauses)
+    return 1 + changes % 2
 
 
 def _way(net: RoadNetwork, stretch: Stretch) -> Way:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from ..document.model_vehicle import Vehicle
 from ..language.speech import say
 from ..maps.map_texts import clipped, text_width
+from ..maps.pause_icons import PAUSE_KINDS
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import kilometres
 from .steps import Step
@@ -92,7 +93,7 @@ def _marks(vehicle: Vehicle, words: Sequence[StepWords], xs: Sequence[float]) ->
         if kind == "road":
             continue
         ends = {"colour": vehicle.colour, "letter": vehicle.letter, "size": vehicle.letter_size}
-        if kind in ("merge", "separation"):
+        if kind in ("merge", "separation", *PAUSE_KINDS):
             yield Piece("sheet-strip-event", {"x": f"{xs[k]:.1f}", "icon": kind})
         else:
             yield Piece(f"sheet-strip-{kind}", {"x": f"{xs[k]:.1f}", **ends})

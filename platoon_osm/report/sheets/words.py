@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ...network.antimeridian import wrapped_deg
@@ -14,6 +14,7 @@ from ..document.wording import joined
 from ..language.speech import clock_time, say
 from ..markup.quantities import kilometres
 from .going_on import GoingOn
+from .pause_words import from_to, pause_at, pause_called, pause_remarks, unnamed_place
 from .steps import Step, Way
 
 __all__ = ["StepWords", "Teller", "coordinates"]
@@ -34,17 +35,18 @@ class StepWords:
     Attributes
     ----------
     kind : str
-        "start", "merge", "separation", "road" or "end": what its mark is.
+        "start", "merge", "separation", "road" or "end", or "rest", "break", "ban" or "change" where
+        the vehicle does nothing else: what its mark is.
     time, km : str
-        When the vehicle goes on from there, and how far it has come.
+        When the vehicle goes on from there, or at a pause when it stops; how far it has come.
     what : str
         What the driver does there.
     place, at : str
         Name and coordinates.
     wait, without, way : str
-        How long to wait, what to do if others do not come, and how to drive on.
+        How long to stand and why, what to do if others do not come, and how to drive on.
     until : str
-        Until when to wait for others at the latest, as a time of day.
+        Until when to wait for others at the latest, or until when to pause, as a time of day.
     """
 
     kind: str
@@ -165,15 +167,15 @@ class Teller:
         going = step.without
         return StepWords(
             kind=_kind(step, number),
-            time=self.time(step.reached_s if step.leaves_s is None else step.leaves_s),
+            time=self.time(step.reached_s if _stops(step, number) else step.leaves_s),
             km=kilometres(step.at_m),
             what=self._what(step, number),
-            place=fitted(step.place.name),
+            place=fitted(step.place.name) or _unnamed(step),
             at=coordinates(lon, lat),
-            wait=self._wait(step),
+            wait=" ".join(filter(None, [self._wait(step), *self._stands(step, number)])),
             without="" if going is None else self._without(step, going),
             way="" if step.way is None else self._way(step.way),
-            until="" if going is None else self.time(going.until_s),
+            until=self._until(step),
         )
 
     def _what(self, step: Step, number: int) -> str:
@@ -186,10 +188,31 @@ class Teller:
             parts.append(self._meeting(step))
         if number == 0:
             parts.insert(0, say("sheet.depart"))
-        elif not parts:
+        elif step.is_pause:
+            parts += [pause_called(one, self.names) for one in step.pauses]
+        elif not parts and step.turn is None:
             access = step.way.is_access
             parts.append(say("sheet.leave-road" if access else "sheet.enter-road"))
+        if step.turn is not None:
+            parts.append(say("sheet.turn", driver=step.turn))
         return " ".join(parts)
+
+    def _stands(self, step: Step, number: int) -> Iterator[str]:
+        aside = step.is_pause and number > 0
+        if aside and step.leaves_s is not None:
+            yield say("sheet.go-on", time=self.time(step.leaves_s))
+        for halt in step.pauses:
+            assert self.clock is not None
+            if not aside:
+                yield pause_at(halt, self.names)
+            if not aside or halt.is_rest or len(step.pauses) > 1:
+                yield from_to(halt, self.clock)
+            yield from pause_remarks(halt)
+
+    def _until(self, step: Step) -> str:
+        if step.without is not None:
+            return self.time(step.without.until_s)
+        return self.time(step.leaves_s) if step.is_pause else ""
 
     def _arrival(self, step: Step) -> str:
         if not step.left:
@@ -209,7 +232,11 @@ class Teller:
 
     def _wait(self, step: Step) -> str:
         if step.wait_s:
-            span = {"begin": self.time(step.reached_s), "end": self.time(step.leaves_s)}
+            begin_s, end_s = step.reached_s, step.leaves_s
+            if step.pauses:
+                waits = [one for one in step.halts if one.what == "wait"]
+                begin_s, end_s = waits[0].begin_s, waits[-1].end_s
+            span = {"begin": self.time(begin_s), "end": self.time(end_s)}
             return say("sheet.wait", span=duration(step.wait_s), **span)
         if step.waited_for:
             return say("sheet.waited-for", time=self.time(step.leaves_s))
@@ -249,4 +276,15 @@ def _kind(step: Step, number: int) -> str:
         return "end"
     if step.joined:
         return "merge"
-    return "separation" if step.left else "road"
+    if step.left:
+        return "separation"
+    return step.pauses[0].what if step.pauses else "road"
+
+
+def _stops(step: Step, number: int) -> bool:
+    """Return whether a step is told by when the vehicle comes there."""
+    return step.leaves_s is None or bool(number and step.is_pause)
+
+
+def _unnamed(step: Step) -> str:
+    return unnamed_place(step.pauses[0].kind) if step.is_pause else ""

@@ -17,10 +17,12 @@ from ...shown_text import fitted
 from ..document.checks import check_path, check_title
 from ..document.document import document_of
 from ..document.findings import Findings, find
+from ..document.halts import halts_of
 from ..document.model import Document
 from ..exports.file_names import file_stems
 from ..exports.geopackage import changed_at
 from ..language.speech import say, speaking
+from ..maps.pause_icons import pause_icons
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.still_page import still_page
 from .calendar import calendar
@@ -102,8 +104,9 @@ def write_sheets(
 
 def _journeys(found: Findings, document: Document, patience_min: float | None) -> Iterator[Journey]:
     patience_s = None if patience_min is None else patience_min * 60.0
-    for index in range(len(found.plan.vehicles)):
-        steps = steps_of(found.plan, found.net, index, patience_s)
+    halts = halts_of(found.plan, found.net)
+    for index, own in enumerate(halts):
+        steps = steps_of(found.plan, found.net, index, patience_s, own)
         teller = Teller(found, index)
         words = tuple(teller.words(step, number) for number, step in enumerate(steps))
         yield Journey(found, document, index, steps, words)
@@ -148,7 +151,7 @@ def _page(title: str, journeys: Sequence[Journey]) -> str:
     body = Piece(
         "sheets",
         {
-            "icons": Piece("icons", {"more": NOTHING}),
+            "icons": Piece("icons", {"more": pause_icons([journeys[0].document])}),
             "contents": _contents(journeys) if len(journeys) > 1 else NOTHING,
             "sheets": tuple(map(sheet, journeys)),
         },
