@@ -53,6 +53,7 @@ SERVICE_OFFSET = 80.0  # m from the centreline to a service area on one side
 COMPASS = {"Nord": (1, 0), "Sud": (-1, 0), "Est": (0, 1), "Ovest": (0, -1)}  # north, east
 MAX_SPACING = 2000.0  # m between nodes of a carriageway
 MAX_SAGITTA = 25.0  # m between the smooth curve and the straight line between two nodes
+AT_ONCE = 32  # ends of a straight line that are tried together
 DENSE_STEP = 25.0  # m between the points of the curve before it is thinned out
 LENGTH_TOLERANCE = 0.01  # a section shorter than its posts by more than this gets bends
 MIN_BENT = 1500.0  # m, shorter sections stay smooth: bends would be too tight for a motorway
@@ -531,21 +532,27 @@ def thinned(curve: Array) -> list[int]:
     """Choose the points to keep: as few as spacing and sagitta allow, both ends included."""
     kept, last = [0], len(curve) - 1
     while kept[-1] < last:
-        start, stop = kept[-1], kept[-1] + 1
-        while stop < last and fits(curve[start : stop + 2]):
-            stop += 1
-        kept.append(stop)
+        kept.append(reach(curve, kept[-1]))
     return kept
 
 
-def fits(piece: Array) -> bool:
-    """Tell whether a straight line may stand for this piece of the curve."""
-    span = piece[-1] - piece[0]
-    distance = float(np.hypot(*span))
-    if distance > MAX_SPACING or distance == 0:
-        return False
-    east, north = (piece - piece[0]).T
-    return float(np.abs(east * span[1] - north * span[0]).max()) / distance <= MAX_SAGITTA
+def reach(curve: Array, start: int) -> int:
+    """Return how far a straight line from a point may stand for all of the curve between."""
+    stop, last = start + 1, len(curve) - 1
+    while stop < last:
+        spans = curve[stop + 1 : stop + 1 + AT_ONCE] - curve[start]
+        ends = stop + 1 - start + np.arange(len(spans))
+        distance = np.hypot(*spans.T)
+        east, north = (curve[start : stop + 1 + len(spans)] - curve[start]).T
+        aside = np.abs(np.outer(spans[:, 1], east) - np.outer(spans[:, 0], north))
+        aside[np.arange(len(east)) > ends[:, np.newaxis]] = 0.0
+        sagitta = np.full(len(spans), np.inf)
+        np.divide(aside.max(axis=1), distance, out=sagitta, where=distance > 0)
+        too_far = np.flatnonzero((distance > MAX_SPACING) | (sagitta > MAX_SAGITTA))
+        if len(too_far):
+            return stop + int(too_far[0])
+        stop += len(spans)
+    return stop
 
 
 def section_curve(start: Row, end: Row, leave: Array, arrive: Array, frame: Frame) -> Array:

@@ -6,7 +6,10 @@
 
 import os
 
+import pytest
+from forked_command import Mother
 from hypothesis import settings
+from places import ROOT
 
 LONG = (
     "test_cli_interrupts.py", "test_cli_no_room.py", "test_examples.py", "test_docs.py",
@@ -22,3 +25,13 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))
 def pytest_collection_modifyitems(items):
     """Begin with what takes long; the rest stays as it is."""
     items.sort(key=lambda item: item.path.name not in LONG)
+
+
+@pytest.fixture(scope="session")
+def forks():
+    """What runs the command in processes of its own that need not start from nothing."""
+    if not hasattr(os, "fork"):
+        pytest.skip("processes fork on POSIX only")
+    mother = Mother(ROOT)
+    yield mother
+    mother.end()

@@ -66,7 +66,7 @@ def test_a_plan_interrupted_at_any_moment(forks):
 
 @posix
 def test_an_interrupted_study_says_what_is_kept(tmp_path):
-    asked = ("study", "--runs", "40", "--vehicles", "4", "--grid", "3", "--diameter-km", "1",
+    asked = ("study", "--runs", "400", "--vehicles", "4", "--grid", "3", "--diameter-km", "1",
              "--spawning", "points", "--nodes", "60", "--edges", "300", "-o", "out/study",
              "--workers")  # fmt: skip
     for workers in ("1", "2"):
@@ -78,9 +78,9 @@ def test_an_interrupted_study_says_what_is_kept(tmp_path):
         _, said = process.communicate(timeout=60)
         assert process.returncode == 2, said
         count = len(list(kept.glob("*/run-*.npz")))
-        assert 6 <= count < 40
+        assert 6 <= count < 400
         assert said == (
-            f"platoon-osm: interrupted; {count} of 40 runs are kept in out/study/runs, and the "
+            f"platoon-osm: interrupted; {count} of 400 runs are kept in out/study/runs, and the "
             "same command goes on from there\n"
         )
         assert not list(Path().rglob(".draft-*"))

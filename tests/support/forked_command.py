@@ -1,4 +1,4 @@
-"""The command in a process of its own that need not start from nothing.
+"""The command, or a script, in a process of its own that need not start from nothing.
 
 To import all that the command may need takes longer than most commands do. So one process
 imports it once, and every command asked of it is a fork of it: with its own limits, its own
@@ -12,6 +12,7 @@ import importlib
 import json
 import os
 import pkgutil
+import runpy
 import signal
 import socket
 import subprocess
@@ -79,7 +80,14 @@ class Mother:
         self._answers = self._line.makefile()
         self._watch = ThreadPoolExecutor(max_workers=3)
 
-    def start(self, *arguments: str, largest: int | None = None, out: Any = None) -> Running:
+    def start(
+        self,
+        *arguments: str,
+        largest: int | None = None,
+        out: Any = None,
+        script: Path | None = None,
+        folder: Path | None = None,
+    ) -> Running:
         """Start the command in the folder where the test is.
 
         Parameters
@@ -90,8 +98,15 @@ class Mother:
             Bytes that a file may have at most; a write beyond it fails as on a disk that is full.
         out : file, optional
             What takes standard output.
+        script : Path, optional
+            A script to run instead of the command.
+        folder : Path, optional
+            Where to run it instead.
         """
-        asked = {"arguments": arguments, "folder": str(Path.cwd()), "largest": largest}
+        asked = {
+            "arguments": arguments, "folder": str(folder or Path.cwd()), "largest": largest,
+            "script": str(script) if script else None,
+        }  # fmt: skip
         read, written = zip(os.pipe(), os.pipe(), strict=True)
         into = [out.fileno() if out else written[0], written[1]]
         socket.send_fds(self._line, [json.dumps(asked).encode()], into)
@@ -135,12 +150,22 @@ def _serve(line: socket.socket) -> None:
         if number == 0:
             line.close()
             _become(asked, files)
+            if asked["script"]:
+                _run(asked["script"], asked["arguments"])
+                sys.exit(0)
             sys.exit(importlib.import_module("platoon_osm.cli").main(asked["arguments"]))
         for file in files:
             os.close(file)
         line.sendall(b"%d\n" % number)
         _, status = os.waitpid(number, 0)
         line.sendall(b"%d\n" % os.waitstatus_to_exitcode(status))
+
+
+def _run(script: str, arguments: list[str]) -> None:
+    """Run a script as Python does: it is the main module, and its folder comes first."""
+    sys.argv = [script, *arguments]
+    sys.path.insert(0, str(Path(script).parent))
+    runpy.run_path(script, run_name="__main__")
 
 
 def _become(asked: dict[str, Any], files: list[int]) -> None:
