@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from command_line import CORRIDOR, scenario
 from places import ROOT
+from soak import chosen, soaked
 
 import platoon_osm as po
 
@@ -33,13 +34,14 @@ def files():
 
 
 @posix
+@soaked
 def test_a_plan_interrupted_at_any_moment(forks):
     po.load_network("italy-motorways").save("map.platoon")
     Path("plan.toml").write_text(CORRIDOR.format(network="map.platoon"), encoding="utf-8")
     Path("a.html").write_text("old")
     before = files()
     draw = random.Random(7)
-    for number in range(8):
+    for number in range(chosen(5, 40)):
         # What imports at its start is interrupted there too, and the others while they work.
         begin, seconds = (start, (0.8, 3.0)) if number % 4 == 0 else (forks.start, (0.05, 5.0))
         process = begin("plan", "plan.toml", *ALL)

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from po_valley import THREE, make_plan
+from soak import chosen, soaked
 
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.report import report_document, write_flows, write_html
@@ -19,6 +20,8 @@ Visit = Callable[..., Any]
 browser = pytest.mark.browser
 
 UNITS = ("EUR", "JPY", "thousand-pounds-sterling")
+EVERY = list(zip(UNITS * 2, (1440, 390) * 3, strict=True))
+"""Each unit at each width; the first three have every unit, and both widths."""
 
 OVERLAPS = """() => {
   const found = [];
@@ -84,8 +87,8 @@ def test_a_number_is_printed_alike_everywhere(net: RoadNetwork, tmp_path: Path) 
 
 
 @browser
-@pytest.mark.parametrize("unit", UNITS)
-@pytest.mark.parametrize("width", [1440, 390])
+@soaked
+@pytest.mark.parametrize(("unit", "width"), chosen(EVERY[:3], EVERY))
 def test_sums_of_six_and_nine_digits(
     net: RoadNetwork, visit: Visit, tmp_path: Path, unit: str, width: int
 ) -> None:

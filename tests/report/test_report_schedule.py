@@ -18,6 +18,7 @@ from bundled import italy as italy_map
 from hostile_names import HOSTILE
 from plans_by_legs import with_vehicles
 from po_valley import THREE, make_plan, po_valley
+from soak import chosen, soaked
 from test_report_budgets import contrast
 
 from platoon_osm.errors import ScenarioError
@@ -271,18 +272,19 @@ def minute(document: dict[str, Any], seconds: float) -> float:
 
 
 @browser
-@pytest.mark.parametrize("number", range(4))
 def test_all_are_at_the_point_when_they_merge_or_part(
-    number: int, page_file: Path, document: dict[str, Any], visit: Visit
+    page_file: Path, document: dict[str, Any], visit: Visit
 ) -> None:
     opened = visit(page_file)
-    event = document["events"][number]
-    opened.page.evaluate(SLIDE, minute(document, event["at_s"]))
-    found = opened.page.evaluate(MOVED)
-    for index in (*event["vehicles"], *event["others"]):
-        letter = document["vehicles"][index]["letter"]
-        # Times are kept to 0.1 s, drawn lines to 8 m.
-        assert found[letter][:2] == pytest.approx((event["lon"], event["lat"]), abs=2e-4), letter
+    assert len(document["events"]) >= 4
+    for event in document["events"]:
+        opened.page.evaluate(SLIDE, minute(document, event["at_s"]))
+        found = opened.page.evaluate(MOVED)
+        for index in (*event["vehicles"], *event["others"]):
+            letter = document["vehicles"][index]["letter"]
+            # Times are kept to 0.1 s, drawn lines to 8 m.
+            place = pytest.approx((event["lon"], event["lat"]), abs=2e-4)
+            assert found[letter][:2] == place, (letter, event["text"])
     opened.check(page_file)
 
 
@@ -398,9 +400,12 @@ def test_a_crowd_prints_its_times_in_the_table(crowd_file: Path, visit: Visit) -
     assert len(re.findall(rb"/Type\s*/Page[^s]", pdf)) <= 2
 
 
+EVERY = [(which, width) for which in ("page_file", "crowd_file") for width in (1440, 390)]
+
+
 @browser
-@pytest.mark.parametrize("width", [1440, 390])
-@pytest.mark.parametrize("which", ["page_file", "crowd_file"])
+@soaked
+@pytest.mark.parametrize(("which", "width"), chosen(EVERY[1:3], EVERY))
 def test_axe_finds_no_serious_fault(
     which: str, width: int, visit: Visit, request: pytest.FixtureRequest
 ) -> None:
@@ -429,14 +434,21 @@ OVERLAPS = """() => {
 
 
 @browser
-@pytest.mark.parametrize("width", [1440, 900, 390])
+@soaked
+@pytest.mark.parametrize("width", chosen([900], [1440, 900, 390]))
 @pytest.mark.parametrize("which", ["page_file", "crowd_file"])
 def test_labels_of_the_schedule_do_not_overlap(
     which: str, width: int, visit: Visit, request: pytest.FixtureRequest
 ) -> None:
-    opened = visit(request.getfixturevalue(which), width, 900)
-    assert opened.page.evaluate(OVERLAPS) == 0
-    assert opened.page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    # Opened at one width, and resized to the others.
+    page = visit(request.getfixturevalue(which), width, 900).page
+    for other in (width, 390, 1440):
+        page.set_viewport_size({"width": other, "height": 900})
+        page.evaluate(
+            "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+        )
+        assert page.evaluate(OVERLAPS) == 0, other
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), other
 
 
 @browser

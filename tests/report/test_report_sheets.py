@@ -17,6 +17,7 @@ from icalendar import Calendar
 from plan_kinds import SIX, hours, plan_kind, timed
 from po_valley import THREE, make_plan, po_valley
 from printed_sheets import FAULTS, PAGES
+from soak import chosen, soaked
 
 import platoon_osm as po
 from platoon_osm.planning.timing.schedule import with_times
@@ -35,6 +36,10 @@ KINDS = (
     "beside the road", "a tall country", "long names", "names without a break",
     "names in other scripts", "the same trip thrice",
 )  # fmt: skip
+USUAL = (
+    "one vehicle", "three vehicles", "without times", "all end together", "beside the road",
+    "long names", "names without a break", "names in other scripts", "the same trip thrice",
+)  # fmt: skip
 
 
 def all_steps(plan: Plan, net: Any, patience_s: float | None = None) -> list[tuple[Step, ...]]:
@@ -42,7 +47,8 @@ def all_steps(plan: Plan, net: Any, patience_s: float | None = None) -> list[tup
     return [steps_of(found.plan, found.net, k, patience_s) for k in range(len(plan.trips))]
 
 
-@pytest.mark.parametrize("name", KINDS)
+@soaked
+@pytest.mark.parametrize("name", chosen(USUAL, KINDS))
 def test_each_sheet_is_one_page_of_which_nothing_is_cut(
     name: str, visit: Visit, tmp_path: Path
 ) -> None:

@@ -9,6 +9,7 @@ import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from page_texts import ENGLISH, left_over, told_by_study
+from soak import chosen, soaked
 
 from platoon_osm import __version__
 from platoon_osm.report.language.speech import speaking
@@ -182,7 +183,11 @@ def test_decimals_of_a_column_are_alike(studied):
             assert len({len(value.partition(".")[2]) for value in values}) == 1, table.title
 
 
-@pytest.mark.parametrize(("width", "dark"), [*((width, False) for width in WIDTHS), (1440, True)])
+LOOKS = [*((width, False) for width in WIDTHS), (1440, True)]
+
+
+@soaked
+@pytest.mark.parametrize(("width", "dark"), chosen([LOOKS[0], LOOKS[-1]], LOOKS))
 def test_axe_finds_nothing_serious_nor_moderate(page, width, dark, visit):
     pytest.importorskip("axe_playwright_python")
     opened = visit(page, width, 900, wait_for="h1").page

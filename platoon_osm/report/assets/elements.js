@@ -25,10 +25,19 @@ const isolated = (text) => `\u2068${text}\u2069`;
 const { texts, language, clock } = JSON.parse(document.getElementById("page-texts").textContent);
 const plurals = new Intl.PluralRules(language);
 
-const number = (value, decimals = 0) =>
-  value.toLocaleString(language, {
-    minimumFractionDigits: decimals, maximumFractionDigits: decimals, useGrouping: "always",
-  });
+/* To make one takes longer than to use it a hundred times. */
+const formats = new Map();
+
+function number(value, decimals = 0) {
+  let format = formats.get(decimals);
+  if (!format) {
+    format = new Intl.NumberFormat(language, {
+      minimumFractionDigits: decimals, maximumFractionDigits: decimals, useGrouping: "always",
+    });
+    formats.set(decimals, format);
+  }
+  return format.format(value);
+}
 
 function say(key, fields = {}) {
   const entry = texts[key];
