@@ -91,7 +91,7 @@ def test_simplified_lines_keep_to_the_road(net: RoadNetwork) -> None:
 
 
 def test_far_roads_are_drawn_coarsely(net: RoadNetwork) -> None:
-    """Near a plan to 40 m, elsewhere to 600 m more; ends stay where they are."""
+    """Near a plan to 45 m, elsewhere to 800 m more; ends stay where they are."""
     scale = metre_scale(net)
     whole = network_lines(net, EVERYWHERE, inferred=False)
     far = network_lines(net, (0.0, 0.0, 1.0, 1.0), inferred=False)
@@ -103,7 +103,7 @@ def test_far_roads_are_drawn_coarsely(net: RoadNetwork) -> None:
             assert coarse[0] == fine[0]
             assert coarse[-1] == fine[-1]
             near = shapely.LineString(np.array(coarse) * scale)
-            assert shapely.distance(shapely.points(np.array(fine) * scale), near).max() < 615
+            assert shapely.distance(shapely.points(np.array(fine) * scale), near).max() < 815
             west, south, east, north = shapely.LineString(fine).bounds
             if lines is mixed and west <= 10 and east >= 9 and south <= 46 and north >= 44:
                 assert coarse == fine

@@ -199,7 +199,7 @@ def test_each_kind_has_its_own_shape_and_only_what_is_there_is_explained(tmp_pat
     assert len(re.findall(">45</text>", schedule)) == 3
     assert "url(#stripes)" in schedule
     assert "39 min" in text
-    assert path.stat().st_size < 455_000
+    assert path.stat().st_size < 450_000
     write_html(corridor(), net, path)
     text = path.read_text("utf-8")
     assert "icon-break" not in text

@@ -5,6 +5,7 @@ function drawGround({ plan, map, group }) {
 const { element } = pageElements;
 const { decodedLines } = planLines;
 const BASEMAP_STEPS = 1e4;
+const NETWORK_STEPS = 5e3;
 const frame = map.getContainer();
 
 /* Canvases do not see style sheets: they are told the colours of theme.css, again when these change. */
@@ -79,8 +80,8 @@ function byZoom(all, layers, least) {
 
 function drawBackground() {
   const renderer = canvas;
-  const known = decodedLines(plan.basemap.known, BASEMAP_STEPS);
-  const inferred = decodedLines(plan.basemap.inferred, BASEMAP_STEPS);
+  const known = decodedLines(plan.basemap.known, NETWORK_STEPS);
+  const inferred = decodedLines(plan.basemap.inferred, NETWORK_STEPS);
   const style = { pane: "network", renderer, interactive: false, smoothFactor: 1.2, opacity: 1 };
   const line = (points, more, token) => paint(L.polyline(points, { ...style, ...more }), { color: token });
   line(known, { weight: 3.8 }, "road").addTo(group("network"));

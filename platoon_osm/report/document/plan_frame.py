@@ -12,7 +12,7 @@ __all__ = ["plan_frame"]
 LEAST_MARGIN = 0.5
 """Degrees round a plan, at least: 40 to 55 km."""
 
-MARGIN = 0.2
+MARGIN = 0.15
 """Round a larger plan, in shares of its width and height."""
 
 

@@ -17,6 +17,7 @@ __all__ = [
     "BASEMAP_STEPS",
     "BASEMAP_TOLERANCE_M",
     "FAR_TOLERANCE_M",
+    "NETWORK_STEPS",
     "ROUTE_STEPS",
     "ROUTE_TOLERANCE_M",
     "Frame",
@@ -27,7 +28,10 @@ __all__ = [
 ]
 
 BASEMAP_STEPS = 10_000
-"""Steps per degree of background lines: 11 m, finer than a screen shows of a country."""
+"""Steps per degree of places and of roads by traffic: 11 m."""
+
+NETWORK_STEPS = 5_000
+"""Steps per degree of the network in the background: 22 m, less than its lines are simplified."""
 
 ROUTE_STEPS = 100_000
 """Steps per degree of routes: 1 m, so that a reader may zoom in on a junction."""
@@ -35,8 +39,8 @@ ROUTE_STEPS = 100_000
 Frame = tuple[float, float, float, float]
 """West, south, east and north in degrees."""
 
-BASEMAP_TOLERANCE_M = 40.0
-FAR_TOLERANCE_M = 600.0
+BASEMAP_TOLERANCE_M = 45.0
+FAR_TOLERANCE_M = 800.0
 """Of roads far from a plan, which are seen from afar only: half the text, and a pixel there."""
 
 ROUTE_TOLERANCE_M = 8.0
@@ -73,7 +77,7 @@ def network_lines(net: RoadNetwork, near: Frame, *, inferred: bool) -> Lines:
         return np.asarray(shapely.get_coordinates(coarse) / scale)
 
     lines = basemap_lines(net, chosen, BASEMAP_TOLERANCE_M)
-    return Undirected.rounded(map(drawn, lines), BASEMAP_STEPS)
+    return Undirected.rounded(map(drawn, lines), NETWORK_STEPS)
 
 
 def route_line(net: RoadNetwork, edges: tuple[int, ...]) -> Line:
