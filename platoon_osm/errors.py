@@ -21,6 +21,10 @@ class NoRouteError(PlatoonError):
     """No drivable route exists between two places of the network."""
 
 
+class NoLegalTripError(NoRouteError):
+    """No drive between two places keeps the driving rules that were asked for."""
+
+
 class ScenarioError(PlatoonError):
     """A scenario, trip or option is missing, misspelt or out of range."""
 

@@ -132,7 +132,7 @@ def plan_joint(
     NetworkError
         A place that is not on the network.
     NoRouteError
-        A trip without any route.
+        A trip without any route, or with none that keeps the rules.
     """
     if isinstance(net, Problem):
         if weights is not None or trips is not None:

@@ -50,7 +50,7 @@ def summary(plan: Plan) -> str:
 
 def _heading(plan: Plan) -> list[str]:
     case = f"Case {plan.case}: {CASE_TITLES.get(plan.case, 'a plan')}"
-    status = [f"{line}." for line in (*status_lines(plan), *map(fitted, _not_lawful(plan)))]
+    status = [f"{line}." for line in (*map(fitted, _not_lawful(plan)), *status_lines(plan))]
     if plan.unit != "m":
         return [f"{case}; costs in {named(plan.unit)}", *status, ""]
     return [

@@ -3,7 +3,10 @@
 from pathlib import Path
 
 import pytest
-from command_line import run
+from command_line import refused, run
+
+from platoon_osm.driving.limits import Limits
+from platoon_osm.driving.rules import RULES, Rules
 
 LATE = """network = "italy-motorways"
 case = "C"
@@ -103,3 +106,47 @@ def test_how_far_a_place_may_be_can_be_said_where_the_remedy_says(capsys):
         assert run("plan", "bad.toml") == 2
         assert run("scenario", "--check", "bad.toml") == 2
         assert capsys.readouterr().err.count("\n") == 2
+
+
+LAW = """network = "italy-motorways"
+[[trips]]
+vehicle = "A"
+origin = "Milano"
+destination = "Bologna"
+earliest_departure = 2026-03-02T06:00:00
+latest_departure = 2026-03-02T07:00:00
+driver = {{{driver}}}
+"""
+SPENT = "driven_today_h = 9, driven_since_break_h = 0, long_days_used = 2, duty_h = 10"
+
+
+def test_who_must_rest_beyond_the_latest_departure_is_told_and_everything_is_written(capsys):
+    Path("spent.toml").write_text(LAW.format(driver=SPENT))
+    assert run("plan", "spent.toml", "--rules", "eu561", "--json", "spent.json") == 1
+    out, err = capsys.readouterr()
+    said = "not feasible within the law: leave after their latest departure, for they must rest"
+    assert err.splitlines()[-1].startswith(f"platoon-osm: {said} before: A by 8 h")
+    assert out.splitlines()[2].startswith(said)
+    assert out.count("not feasible") == 1
+    assert Path("spent.json").is_file()
+    assert run("plan", "spent.toml") == 0
+
+
+def test_rules_that_no_trip_keeps_end_with_1(capsys):
+    # No two places of the map where a truck may stand are as near as a minute.
+    RULES.add(Rules("a-minute", "an hour of break after a minute", Limits(60.0, 3600.0)))
+    try:
+        Path("fresh.toml").write_text(LAW.format(driver=""))
+        assert run("plan", "fresh.toml", "--rules", "a-minute", "--json", "a.json") == 1
+    finally:
+        RULES.remove("a-minute")
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.splitlines()[-1].startswith("platoon-osm: A: no trip keeps the driving rules 'a-mi")
+    assert not Path("a.json").exists()
+
+
+def test_rules_without_a_clock_are_refused(capsys):
+    text = LAW.format(driver="").replace("earliest_departure", "# ").replace("latest_dep", "# ")
+    Path("timeless.toml").write_text(text)
+    refused(capsys, ["plan", "timeless.toml", "--rules", "eu561"], "timeless.toml: driving rules")

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...driving.rules import limits_of
-from ...errors import ScenarioError
+from ...errors import NoLegalTripError, ScenarioError
 from ...network.placed import PlacedNetwork, network_below
 from ...plans.clock import Clock
 from ...plans.timetable import LATE_S
@@ -189,7 +189,7 @@ class LegalQuestion:
                     late = 0 if keeps_latest or latest is None else trip.departure_s - int(latest)
                     return TripAlone(way, trip, max(late, 0))
         name = self.question.ends[index].vehicle
-        raise ScenarioError(
+        raise NoLegalTripError(
             f"{name}: no trip keeps the driving rules {self.question.problem.rules.name!r}; give "
             "its driver a rest before, or two drivers"
         )

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 from ...plans.clock import late_by
+from ...plans.lateness import NOT_LAWFUL
 from ...plans.plan import Plan
 from ...plans.proof import Proof
 from ...plans.text_table import listed
@@ -51,7 +52,9 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
     Raises
     ------
     ScenarioError
-        No trip names a time, or a vehicle has no legal trip at all.
+        No trip names a time.
+    NoLegalTripError
+        A vehicle has no legal trip at all.
     """
     legal = LegalQuestion(question, vehicles)
     planned = planned_platoons(legal)
@@ -105,4 +108,7 @@ def _late(legal: LegalQuestion, plan: Plan) -> Iterator[str]:
         if own.after_latest_s
     ]
     if held:
-        yield f"leave after their latest departure, for they must rest before: {listed(held)}"
+        yield (
+            f"{NOT_LAWFUL}: leave after their latest departure, for they must rest before: "
+            f"{listed(held)}"
+        )
