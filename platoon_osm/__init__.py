@@ -28,13 +28,16 @@ if TYPE_CHECKING:
     from .network.road_stop import RoadStop
     from .network.stops import stops_along
     from .planning.cases import plan_members
+    from .planning.curves import delay_frontier, departure_curve
     from .planning.joint import plan_joint, solve
     from .planning.place_table import place_table
     from .planning.problem import Problem
     from .planning.scenario.trip_tables import read_trips
+    from .plans.curves import DelayFrontier, DepartureCurve
     from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
     from .plans.vehicles import VehiclePlan
+    from .report.charts.curve_figures import write_curve
     from .report.charts.figures import write_figures
     from .report.exports.gis import to_geodataframe, write_geopackage
     from .report.exports.tracks import write_csv, write_gpx
@@ -72,6 +75,10 @@ _WHERE = {
     "many_to_many": "search.engine",
     "place_table": "planning.place_table",
     "plan_members": "planning.cases",
+    "departure_curve": "planning.curves",
+    "delay_frontier": "planning.curves",
+    "DelayFrontier": "plans.curves",
+    "DepartureCurve": "plans.curves",
     "plan_joint": "planning.joint",
     "solve": "planning.joint",
     "JointPlan": "plans.plan",
@@ -89,6 +96,7 @@ _WHERE = {
     "write_sheets": "report.sheets.write",
     "explore": "report.pages.page",
     "write_comparison": "report.pages.comparison",
+    "write_curve": "report.charts.curve_figures",
     "write_csv": "report.exports.tracks",
     "write_figures": "report.charts.figures",
     "write_flows": "report.pages.flows",
@@ -106,6 +114,8 @@ __all__ = [
     "FUEL_SAVINGS",
     "PAPER_STUDY",
     "Access",
+    "DelayFrontier",
+    "DepartureCurve",
     "EdgeWeights",
     "FatigueModel",
     "FuelSaving",
@@ -131,6 +141,8 @@ __all__ = [
     "Trip",
     "VehiclePlan",
     "__version__",
+    "delay_frontier",
+    "departure_curve",
     "explore",
     "inspect_plan",
     "load_network",
@@ -146,6 +158,7 @@ __all__ = [
     "to_geodataframe",
     "write_comparison",
     "write_csv",
+    "write_curve",
     "write_figures",
     "write_flows",
     "write_geopackage",

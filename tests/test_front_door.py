@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from dataclasses import fields
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,8 @@ from platoon_osm.driving.rules import NO_RULES
 LONGEST = 400
 """Characters that a refusal may have; what was given is shown in brief."""
 
+DAY = datetime(2026, 3, 2, 6)
+
 Call = tuple[Callable[..., Any], dict[str, Any]]
 
 
@@ -28,8 +31,11 @@ def given(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     weights = po.paper_weights(net)
     trips = [po.Trip("A", "Torino", "Trieste"), po.Trip("B", "Genova", "Belluno")]
     plan = po.plan_joint(net, weights, trips, "C")
+    hours = [po.Trip(one.vehicle, one.origin, one.destination, DAY) for one in trips]
+    timed = po.Problem(net, tuple(hours), weights, case="C")
     return {
         "net": net, "weights": weights, "trips": trips, "plan": plan,
+        "timed": timed, "curve": po.departure_curve(timed),
         "folder": tmp_path_factory.mktemp("front_door"),
         "other": po.RoadNetwork.from_edges([0], [1], lon=[9, 9.1], lat=[45, 45]),
     }  # fmt: skip
@@ -77,6 +83,11 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "net": net, "weight": weights.solo, "sources": [0], "targets": [1], "engine": "auto",
         }),
         "inspect_plan": (po.inspect_plan, {"plan": plan, "rules": "eu561", "article_12": False}),
+        "departure_curve": (po.departure_curve, {"problem": given["timed"], "master": "A"}),
+        "delay_frontier": (po.delay_frontier, {
+            "problem": given["timed"], "delays_min": [0.0, 60.0],
+        }),
+        "write_curve": (po.write_curve, {"curve": given["curve"]}),
         "place_table": (po.place_table, {
             "net": net, "origins": ["Torino"], "destinations": ["Trieste"], "measure": "km",
         }),
@@ -148,7 +159,7 @@ NAMES = (
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",
     "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage", "write_sheets",
-    "write_pages",
+    "write_pages", "departure_curve", "delay_frontier", "write_curve",
 )  # fmt: skip
 
 

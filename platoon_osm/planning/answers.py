@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from ..plans.stretches import runs_alone, runs_along
-from .company.draft import Draft, Floats, Order
+from .company.draft import NO_CHEAPER, Draft, Floats, Order
 from .company.side_by_side import side_by_side
 from .company.turns import improved_in_turns
 from .fleet import Fleet
@@ -16,13 +17,27 @@ from .member_plans import MemberPlans
 from .pair import PairPlan, plan_pair
 from .question import Question
 from .star import Star, StarChoice
+from .timed_star import TimedStar
 from .timing.timed_pair import PairVehicle, TimedPair, plan_timed_pair
-from .timing.timed_points import OpenPoints, best_departure
 
 __all__ = ["IN_TIME", "Answer", "alone", "improved", "of_pair", "of_star", "of_timed_pair"]
 
 IN_TIME = "all keep their limits of time"
 ONE_LEADER = "one leads all the way"
+
+OWN_ROUTE = "on its own route"
+NO_WAIT = "on its own route, which does not wait"
+ANY_WAIT = "on its own route, whether it waits or not"
+
+CLOCK = (
+    "driving times are the same alone and together",
+    "nothing depends on the hour",
+    "waiting before departure is free",
+)
+"""What the curve of costs against departures takes for granted."""
+
+PRICED = "nobody takes a slower way to wait less"
+"""What it takes for granted where waiting is priced."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,6 +58,8 @@ class Answer:
         No answer of this case and master costs less; None if it is not known.
     conditions : tuple of str
         What that holds for, beside what it always does.
+    manner : str
+        Of which drives of the master the bound holds.
     """
 
     draft: Draft
@@ -51,6 +68,7 @@ class Answer:
     master: int | None
     bound: float | None
     conditions: tuple[str, ...] = ()
+    manner: str = OWN_ROUTE
 
     @property
     def cost(self) -> float:
@@ -96,67 +114,73 @@ def of_star(question: Question, star: Star, choices: list[StarChoice]) -> Answer
     Answer or None
         None if nobody can join this master.
     """
+    found = _blind(question, star, choices)
+    if question.windows is None or (
+        found is not None and found[0] == 0 and not question.waiting_costs
+    ):
+        return None if found is None else found[1]
+    timed = _timed(question, star)
+    if timed is None or (
+        found is not None
+        and not question.waiting_costs
+        and found[1].cost < timed.cost * (1 - NO_CHEAPER)
+    ):
+        return None if found is None else replace(found[1], bound=None)
+    return timed
+
+
+def _blind(question: Question, star: Star, choices: list[StarChoice]) -> tuple[int, Answer] | None:
+    """Return the first choice without a clock that happens to be in time, and its place."""
     most = question.problem.max_platoon
-    for choice in choices:
+    for place, choice in enumerate(choices):
         points = choice.points
         if most is not None:
             points = star.within(points, choice.case, most)
         answer = _starred(question, star, choice.case, points)
         if points is choice.points:
-            answer = Answer(answer.draft, answer.costs, choice.case, star.master, choice.bound)
+            answer = replace(answer, bound=choice.bound)
         if question.allows(answer.draft):
-            return answer
-    if question.windows is None:
+            return place, answer
+    return None
+
+
+def _timed(question: Question, star: Star) -> Answer | None:
+    """Return the best plan of a master that leaves at one moment and does not wait."""
+    clocked = TimedStar(question, star)
+    plans = [
+        (case, found)
+        for case in question.star_cases
+        if (found := clocked.best(case)) is not None
+    ]  # fmt: skip
+    if not plans:
         return None
-    timed = _timed(question, star, choices[-1])
-    return timed if timed is not None and question.allows(timed.draft) else None
+    level = min(found.choice.cost for _, found in plans) * (1 + NO_CHEAPER)
+    case, best = next(one for one in plans if one[1].choice.cost <= level)
+    points, chosen = clocked.points(case), best.choice.points
+    most = question.problem.max_platoon
+    if most is not None:
+        chosen = star.within(chosen, case, most, clocked.open_costs(points, best.departure))
+    draft = Draft.of(star.routes(chosen, partial(clocked.way, points, best.departure)))
+    costs = draft.costs(question.fleet)
+    if not question.allows(draft):
+        return None
+    # Costs of a plan are those of driving; a bound that counts waiting is none of them alone.
+    waits = clocked.price and clocked.waits_s(points, chosen, best.departure) > 0
+    fewer = chosen is not best.choice.points and question.problem.optimum == "member"
+    if not best.is_proved or waits or fewer:
+        return Answer(draft, costs, case, star.master, None)
+    bound, manner = min(found.choice.bound for _, found in plans), NO_WAIT
+    if not clocked.price:
+        whatever = min(clocked.bound_if_waiting(one) for one, _ in plans)
+        if float(costs.sum()) <= whatever * (1 + NO_CHEAPER):
+            bound, manner = whatever, ANY_WAIT
+    conditions = (*CLOCK, PRICED) if clocked.price else CLOCK
+    return Answer(draft, costs, case, star.master, bound, conditions, manner)
 
 
 def _starred(question: Question, star: Star, case: str, points: MemberPlans) -> Answer:
     draft = Draft.of(star.routes(points))
     return Answer(draft, draft.costs(question.fleet), case, star.master, None)
-
-
-def _timed(question: Question, star: Star, choice: StarChoice) -> Answer | None:
-    """Return the best points for a master that leaves at one moment and does not wait."""
-    windows = question.windows
-    assert windows is not None
-    entry, leave, solo = star.costs
-
-    def way_s(member: int, start: int, end: int) -> float:
-        return question.fleet.route_s((member,), question.routers[member].route(start, end))
-
-    approach, onward = np.full(entry.shape, np.inf), np.full(entry.shape, np.inf)
-    for row, member in enumerate(star.members):
-        own = question.ends[member]
-        for place, node in enumerate(star.nodes.tolist()):
-            # Dearer than alone to get there at all, even if everything shared were free: never.
-            if entry[row, place] <= solo[row]:
-                approach[row, place] = way_s(member, own.origin, node)
-            if leave[row, place] <= solo[row]:
-                onward[row, place] = way_s(member, node, own.destination)
-    # A platoon drives as the slowest: whoever joins, that of all is slow enough.
-    drive_s = question.fleet.drive_s(range(len(question.ends)))
-    route_s = np.concatenate([[0.0], np.cumsum(drive_s[star.route])])
-    points = OpenPoints.of(
-        windows[star.master], [windows[k] for k in star.members], route_s, approach, onward
-    )
-
-    def chosen(moment: float) -> StarChoice:
-        # Members choose for themselves; what others gain by it, turns find afterwards.
-        return star.choose(choice.case, "member", (*points.at(moment, entry, leave), solo))
-
-    departure = best_departure(
-        points, choice.points.merge_index, lambda moment: chosen(moment).cost
-    )
-    if departure is None:
-        return None
-    found = chosen(departure).points
-    most = question.problem.max_platoon
-    if most is not None:
-        open_then = (*points.at(departure, entry, leave), solo)
-        found = star.within(found, choice.case, most, open_then)
-    return _starred(question, star, choice.case, found)
 
 
 def of_pair(question: Question, first: int) -> Iterator[Answer]:

@@ -71,7 +71,10 @@ def best_answer(question: Question) -> Best:
         stayed = [one for one in tried.answers if not one.draft.together]
         same = [one for one in stayed if one.master == best.master or one.case == best.case]
         for one in same[:1]:
-            best = replace(best, master=one.master, bound=one.bound, conditions=one.conditions)
+            best = replace(
+                best, master=one.master, bound=one.bound, conditions=one.conditions,
+                manner=one.manner,
+            )  # fmt: skip
     return Best(
         best,
         _proof(question, best, tried),
@@ -108,11 +111,11 @@ def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
         own = (*conditions, *alike, ONE_STRETCH, *best.conditions)
         return Proof.of(best.cost, best.bound, own, any_plan)
     late = tried.blind < best.cost * (1 - NO_CHEAPER) and question.windows is not None
-    if best.bound is None or late:
+    if best.bound is None or (late and not best.conditions):
         return _bounded(best, any_plan, late, conditions)
     assert best.master is not None
     name = question.ends[best.master].vehicle
-    who = (f"master {name} on its own route", *_compared(question, tried))
+    who = (f"master {name} {best.manner}", *_compared(question, tried), *best.conditions)
     return Proof.of(best.cost, min(best.bound, best.cost), (*who, *conditions), any_plan)
 
 

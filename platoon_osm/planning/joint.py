@@ -21,24 +21,18 @@ from ..plans.records import MasterTried
 from ..plans.stretches import Run
 from ..plans.trip import Trip
 from ..search.protocol import EngineName
-from ..search.searches import Searches
-from ..search.trees import Trees
 from ..vehicles.profile import Vehicle
 from .answers import Answer
 from .apart import lawful_company
+from .asked import Asked
 from .best import Best, best_answer
 from .company.draft import Draft
 from .company.platoons import platoons_of
-from .ends import located, resolve_trips
-from .fleet import Fleet
-from .fleet_of import fleet_of
 from .masters import choices_of
 from .place_remarks import with_place_remarks
-from .places import PlacedEnds, placed
 from .problem import Company, Optimum, Problem, check_choice
 from .question import Question
 from .reasons import reasons_alone
-from .road_closures import closed_roads
 from .routers import AstarRouter, Method
 from .star import Star
 from .tight_limits import tight_limits
@@ -175,15 +169,9 @@ def solve(problem: Problem) -> Plan:
         raise ScenarioError(
             f"plan: {brief(problem)} is no Problem; make one from a network, trips and an objective"
         )
-    locations = located(problem.net, problem.trips, problem.access, problem.profile)
-    places = placed(problem.net, locations, problem.access)
-    net = places.net
-    shut = closed_roads(problem.net, problem.close)
-    fleet = fleet_of(problem, places, shut)
-    problem = replace(problem, net=net)
-    trees = _trees(problem, fleet, places)
-    ends = resolve_trips(net, fleet, trees, problem.trips, places.ends)
-    question = Question(problem, fleet, tuple(ends), trees)
+    asked = Asked.of(problem)
+    question, locations, shut = asked.question, asked.locations, asked.shut
+    problem, net = question.problem, question.net
     exact = problem.method == "dijkstra"
     patience_s = problem.patience_min * 60.0 if exact else None
     vehicles = [problem.vehicle_of(trip) for trip in problem.trips]
@@ -226,18 +214,6 @@ def _with_limits(
         *zones_crossed(plan, net, vehicles, shut),
     )
     return replace(plan, remarks=(*plan.remarks, *remarks)) if remarks else plan
-
-
-def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:
-    """Return the searches of each vehicle; those alike share theirs."""
-    searches = problem.net.attached(Searches)
-    made: list[Trees] = []
-    for kind in fleet.kinds:
-        # A search for each candidate of the fewer, then one from each end of each trip.
-        ends = [places.ends[k] for k in kind]
-        expected = sum(min(len(end.nodes) for end in both) + 2 for both in ends)
-        made.append(Trees(searches.under(fleet.alone(kind[0]), expected, problem.engine)))
-    return [made[kind] for kind in fleet.kind]
 
 
 def _of_best(question: Question, best: Best, reasons: Sequence[str]) -> Plan:

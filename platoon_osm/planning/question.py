@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from functools import cached_property
 
 import numpy as np
@@ -19,7 +20,8 @@ from .problem import Problem
 from .routers import DijkstraRouter
 from .star import Star
 from .timing.feasible import InTime
-from .timing.limits import Window, first_named, windows_of
+from .timing.limits import NOTHING_ASKED, Window, first_named, windows_of
+from .ways_in_time import WaysInTime
 
 __all__ = ["NO_DEARER", "Question"]
 
@@ -125,18 +127,66 @@ class Question:
     @cached_property
     def windows(self) -> list[Window] | None:
         """How far company may move each vehicle; None if nobody names a time."""
+        both = self._windows
+        return None if both is None else both[1]
+
+    @property
+    def asked_windows(self) -> list[Window]:
+        """What trips name, whatever company may do."""
+        both = self._windows
+        return [NOTHING_ASKED] * len(self.ends) if both is None else both[0]
+
+    @cached_property
+    def _windows(self) -> tuple[list[Window], list[Window]] | None:
         first = first_named(self.problem.trips)
         if first is None:
             return None
-        alone_s = [self.fleet.route_s((k,), own) for k, own in enumerate(self.alone)]
         patience_s = self.problem.patience_min * 60.0
-        _, allowed = windows_of(self.problem.trips, alone_s, patience_s, first)
-        return allowed
+        return windows_of(self.problem.trips, self.alone_s, patience_s, first)
+
+    @cached_property
+    def alone_s(self) -> list[float]:
+        """Driving time of each vehicle alone [s], (N,)."""
+        return [self.fleet.route_s((k,), own) for k, own in enumerate(self.alone)]
+
+    def within(self, windows: Sequence[Window], ways: WaysInTime | None = None) -> Question:
+        """Return the same question with other limits.
+
+        Parameters
+        ----------
+        windows : sequence of Window, (N,)
+            How far company may move each vehicle.
+        ways : WaysInTime, optional
+            Ways that are known already, for windows no narrower.
+
+        Returns
+        -------
+        Question
+            What does not depend on times is shared.
+        """
+        found = copy(self)
+        for name in ("_in_time", "ways_in_time"):
+            found.__dict__.pop(name, None)
+        found.__dict__["windows"] = list(windows)
+        if ways is not None:
+            found.__dict__["ways_in_time"] = ways
+        return found
 
     @cached_property
     def waiting_costs(self) -> bool:
         """Whether waiting on the road has a price."""
         return self.problem.objective.waiting(3600.0) > 0
+
+    @cached_property
+    def ways_in_time(self) -> WaysInTime:
+        """How vehicles get to the routes of others in time."""
+        assert self.windows is not None
+        joins = self.join_costs
+        routes = [road_of(self.net, own) for own in self.alone]
+        return WaysInTime(
+            self.problem, self.fleet, self.ends, self.trees, self.routers, routes, joins.nodes,
+            self.solo, self.windows,
+        )  # fmt: skip
 
     @cached_property
     def _in_time(self) -> InTime:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -27,6 +27,9 @@ __all__ = ["Star", "StarChoice"]
 
 Edges = NDArray[np.int64]
 
+Way = Callable[[int, int, bool], Edges]
+"""From a vehicle, a position on the route, and whether it leads there, to edges."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StarChoice:
@@ -42,12 +45,15 @@ class StarChoice:
         Of all vehicles together.
     bound : float
         No choice of points costs less; `cost` itself where members do not depend on each other.
+    price : ndarray of float, (K,), or None
+        The prices of edges that prove the bound, where they do.
     """
 
     case: str
     points: MemberPlans
     cost: float
     bound: float
+    price: Floats | None = None
 
 
 class Star:
@@ -129,7 +135,7 @@ class Star:
     def bound(self) -> float:
         """No case, and no choice of points, costs less in all; quicker than choosing them."""
         entry, leave, solo = self.costs
-        alone = self._master_alone
+        alone = self.master_alone
         if not self.members or not len(self.route):
             return alone + float(solo.sum())
         least = solo.copy()
@@ -138,17 +144,23 @@ class Star:
             lead = np.minimum.accumulate(entry[rows] - platoon, axis=1)
             joined = (lead[:, :-1] + platoon[1:] + leave[rows, 1:]).min(axis=1)
             least[rows] = np.minimum(joined, solo[rows])
-        return float(least.sum()) + alone - float(np.maximum(self._gain, 0.0).sum())
+        return float(least.sum()) + alone - float(np.maximum(self.gain, 0.0).sum())
 
     @property
-    def _master_alone(self) -> float:
+    def master_alone(self) -> float:
+        """Cost of the master without any company."""
         return float(self.fleet[self.master].solo[self.alone[self.master]].sum())
 
     @property
-    def _gain(self) -> Floats:
+    def gain(self) -> Floats:
         """What the master saves on each edge of its route if it has company there, (K,)."""
         weights = self.fleet[self.master]
         return (weights.solo - weights.master)[self.route]
+
+    @property
+    def ways_beside(self) -> tuple[Edges, Edges]:
+        """The master's ways beside the road, before its route and after it."""
+        return self._before, self._after
 
     def _alike(self, rows: Edges) -> list[Edges]:
         """Return members by their kind, as positions in `rows`."""
@@ -181,7 +193,7 @@ class Star:
         """
         everyone = np.arange(len(self.members))
         known = costs or self.costs
-        gain, alone = self._gain, self._master_alone
+        gain, alone = self.gain, self.master_alone
         if optimum == "member" or not self.members:
             points = self._points(case, None, everyone, known)
             met = points.covered(len(self.route)).any(axis=0)
@@ -195,7 +207,7 @@ class Star:
         found = choose_for_system(
             lambda gains, rows: self._points(case, gains, rows, known), gain, len(self.members)
         )
-        return StarChoice(case, found.members, found.cost + alone, found.bound + alone)
+        return StarChoice(case, found.members, found.cost + alone, found.bound + alone, found.price)
 
     def _points(
         self, case: Any, gain: Floats | None, rows: Edges, costs: tuple[Floats, Floats, Floats]
@@ -273,19 +285,23 @@ class Star:
             users += there[member]
         return chosen
 
-    def routes(self, points: MemberPlans) -> list[list[Run]]:
+    def routes(self, points: MemberPlans, way: Way | None = None) -> list[list[Run]]:
         """Return who drives what with whom.
 
         Parameters
         ----------
         points : MemberPlans
             The members' points.
+        way : callable, optional
+            Returns a member's way to a position of the route (True) or from it (False); by default
+            the cheapest.
 
         Returns
         -------
         list of list of Run, (N, ...)
             Each vehicle's runs in driving order; the master leads.
         """
+        way = way or self._cheapest
         joined = [(self.members[k], int(points.merge_index[k]), int(points.separation_index[k]))
                   for k in np.flatnonzero(points.merge_index >= 0).tolist()]  # fmt: skip
         there: list[list[int]] = [[self.master] for _ in self.route]
@@ -300,13 +316,15 @@ class Star:
             *runs_alone(self._after, self.master),
         ]
         for index, i, j in joined:
-            own = self.ends[index]
-            router = self.routers[index]
-            before = router.route(own.origin, int(self.nodes[i]))
-            after = router.route(int(self.nodes[j]), own.destination)
+            before, after = way(index, i, True), way(index, j, False)
             routes[index] = [
                 *runs_alone(before, index),
                 *runs_along(self.route[i:j], companies[i:j]),
                 *runs_alone(after, index),
             ]
         return routes
+
+    def _cheapest(self, vehicle: int, position: int, forward: bool) -> Edges:
+        own, node = self.ends[vehicle], int(self.nodes[position])
+        pair = (own.origin, node) if forward else (node, own.destination)
+        return self.routers[vehicle].route(*pair)

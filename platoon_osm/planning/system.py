@@ -35,11 +35,14 @@ class SystemChoice:
         Of the members, less what the master saves.
     bound : float
         No choice costs less.
+    price : ndarray of float, (K,)
+        The prices that prove it.
     """
 
     members: MemberPlans
     cost: float
     bound: float
+    price: Floats
 
 
 def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoice:
@@ -74,13 +77,15 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
     best = _by_turns(choose, choose_all(np.zeros_like(gain)), gain)
     best_cost, bound = _cost(best, gain), -np.inf
     price, scale = gain.copy(), 1.0
+    proving = price
     seen: set[bytes] = set()
     for _ in range(ROUNDS):
         relaxed = choose_all(price)
         users = relaxed.covered(len(gain)).sum(axis=0)
         value = lower_bound(relaxed, price, gain)
         scale = scale if value > bound else scale / 2
-        bound = max(bound, value)
+        if value > bound:
+            bound, proving = value, price
         points = relaxed.merge_index.tobytes() + relaxed.separation_index.tobytes()
         if points not in seen:
             seen.add(points)
@@ -93,7 +98,7 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
             break
         step = scale * (best_cost - value) / float((slope**2).sum())
         price = np.clip(price + step * slope, 0.0, gain)
-    return SystemChoice(best, best_cost, min(bound, best_cost))
+    return SystemChoice(best, best_cost, min(bound, best_cost), proving)
 
 
 def lower_bound(relaxed: MemberPlans, price: Floats, gain: Floats) -> float:

@@ -403,7 +403,8 @@ def test_two_days_apart_both_drive_alone():
         assert plan.timetable.feasible
         assert plan.timetable.vehicles[0].held_s == pytest.approx(0, abs=0.01)
         assert "the clock forbids" in plan.vehicles[1].reason
-        assert plan.proof["kind"] != "exact"
+        assert plan.proof["kind"] == "exact"
+        assert plan.proof.conditions[0].endswith("on its own route, whether it waits or not")
     # One without any time goes along with whoever there is.
     flexible = [trips[0], Trip("Next day", "Torino", "Roma")]
     assert plan_joint(net, po.paper_weights(net), flexible).saving > 0.1

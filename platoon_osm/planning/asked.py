@@ -1,0 +1,86 @@
+"""From a problem to a question: places become nodes, vehicles become weights, and trips ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..network.road_network import RoadNetwork
+from ..search.searches import Searches
+from ..search.trees import Trees
+from .ends import Ends, located, resolve_trips
+from .fleet import Fleet
+from .fleet_of import fleet_of
+from .places import PlacedEnds, placed
+from .problem import Problem
+from .question import Question
+from .road_closures import closed_roads
+
+__all__ = ["Asked"]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Asked:
+    """A problem with its places found.
+
+    Attributes
+    ----------
+    question : Question
+        What every way of answering starts from; its problem has the network with the places.
+    locations : sequence of tuple of Location, (N, 2)
+        What the trips' places were found to be.
+    shut : ndarray of bool, (m,)
+        Roads of the problem's own network that count as closed.
+    """
+
+    question: Question
+    locations: Sequence[Ends]
+    shut: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, problem: Problem) -> Asked:
+        """Find the places of a problem.
+
+        Parameters
+        ----------
+        problem : Problem
+            What is asked.
+
+        Returns
+        -------
+        Asked
+            Ready to be answered.
+
+        Raises
+        ------
+        PlatoonError
+            A place that is not on the network, or a trip without any route.
+        """
+        locations = located(problem.net, problem.trips, problem.access, problem.profile)
+        places = placed(problem.net, locations, problem.access)
+        shut = closed_roads(problem.net, problem.close)
+        fleet = fleet_of(problem, places, shut)
+        problem = replace(problem, net=places.net)
+        trees = _trees(problem, fleet, places)
+        ends = resolve_trips(places.net, fleet, trees, problem.trips, places.ends)
+        return cls(Question(problem, fleet, tuple(ends), trees), locations, shut)
+
+    @property
+    def net(self) -> RoadNetwork:
+        """The network with the places."""
+        return self.question.net
+
+
+def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:
+    """Return the searches of each vehicle; those alike share theirs."""
+    searches = problem.net.attached(Searches)
+    made: list[Trees] = []
+    for kind in fleet.kinds:
+        # A search for each candidate of the fewer, then one from each end of each trip.
+        ends = [places.ends[k] for k in kind]
+        expected = sum(min(len(end.nodes) for end in both) + 2 for both in ends)
+        made.append(Trees(searches.under(fleet.alone(kind[0]), expected, problem.engine)))
+    return [made[kind] for kind in fleet.kind]
