@@ -103,6 +103,8 @@ def _pauses(times: VehicleTimes, rules: RuleSet) -> Iterator[Violation]:
             yield Violation(ARTICLE, pause.start_s, outside_s, text)
         free_s = pause.end_s
         for purpose in pause.purposes:
+            if purpose == "break" and "change" in pause.purposes:
+                continue  # who leaves the wheel takes its break beside it
             short_s = least_s.get(purpose, 0) - (pause.end_s - pause.start_s)
             if short_s >= NEAR_S:
                 said = purpose.replace("_", " ")

@@ -2,7 +2,9 @@
 
 Legs are driving, gaps between them are rest; of two drivers the one who does not drive sits beside
 the other. A follower who is relieved of a share of its task drives for the rest of the time.
-Moments are rounded to whole seconds; a start without an offset from UTC is taken as UTC.
+Times are whole seconds: driving begins with the first whole second in it and ends with the last, so
+less than two seconds between two pauses are not seen. A start without an offset from UTC is taken
+as UTC.
 """
 
 from __future__ import annotations
@@ -91,21 +93,20 @@ def _record(
     monday_s: float,
 ) -> Record:
     begin_s = times.departure_s if driver is None else min(driver.state_at_s, times.departure_s)
-    done = []
+    done: list[Activity] = []
     for number, (leg, follower) in enumerate(zip(times.legs, follows, strict=True)):
-        start_s, end_s = (_whole(at_s - monday_s) for at_s in leg)
+        start_s = math.ceil(round(leg[0] - monday_s, 3))
+        if number and leg[0] - times.legs[number - 1][1] < 1:
+            start_s = done[-1].end_s  # it drives on
+        end_s = max(start_s, math.floor(round(leg[1] - monday_s, 3)))
         if driver is None or driver.drives is None or number in driver.drives:
             relief = timetable.task_relief if follower else 0.0
             relieved_s = math.floor(relief * (end_s - start_s))
             done.append(Activity("drive", start_s, end_s, relieved_s))
         else:
             done.append(Activity("passenger", start_s, end_s))
-    return record_of(done, _whole(begin_s - monday_s), _whole(times.arrival_s - monday_s))
-
-
-def _whole(moment_s: float) -> int:
-    """Return a moment in whole seconds; equal spans of moments stay equal."""
-    return math.floor(round(moment_s, 3) + 0.5)
+    until_s = math.ceil(round(times.arrival_s - monday_s, 3))
+    return record_of(done, math.floor(round(begin_s - monday_s, 3)), until_s)
 
 
 def _start(driver: DriverDay | None) -> DriverStart:

@@ -19,9 +19,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Found", "driving_of", "inspect_plan"]
 
-ROUNDING_S = 1
-"""Moments are rounded to the second, so a second too much may be none [s]."""
-
 
 class Found(NamedTuple):
     """A violation, and whose it is."""
@@ -69,9 +66,8 @@ def inspect_plan(plan: Plan, rules: str | None = None, *, article_12: bool = Fal
     ]
     for one in driver_records(plan):
         for violation in chosen.check(one.record, one.start, one.clock_s, article_12):
-            if violation.over_s > ROUNDING_S:
-                moved = replace(violation, at_s=violation.at_s + one.monday_s)
-                found.append((one.vehicle, one.driver, moved))
+            moved = replace(violation, at_s=violation.at_s + one.monday_s)
+            found.append((one.vehicle, one.driver, moved))
     found.sort(key=lambda item: (item[0], item[2].at_s, item[1], item[2].article))
     names = [trip.vehicle for trip in plan.trips]
     return [Found(names[vehicle], driver, violation) for vehicle, driver, violation in found]

@@ -202,6 +202,21 @@ def test_pauses_are_what_they_claim(
     assert all(one.violation.article == ARTICLE for one in found)
 
 
+def test_the_first_part_may_be_taken_at_the_origin(alone: Plan) -> None:
+    times = alone.times[0]
+    assert times is not None
+    state = DriverState(driven_since_break_s=HOUR / 4, driven_today_s=HOUR / 4, duty_s=HOUR)
+    for waited_s, found in ((900.0, []), (890.0, [ARTICLE, "561/2006 Art. 7"])):
+        legs = ((0.0, 4.25 * HOUR), (4.75 * HOUR, 9.0 * HOUR))
+        pause = Pause(1, ("second_part",), 4.25 * HOUR, 4.75 * HOUR, CAFE)
+        plan = replace(alone, ways=((0, 1),), timetable=None, stretches=alone.stretches[:2])
+        driver = DriverDay(state, -waited_s)
+        own = replace(times, legs=legs, pauses=(pause,), drivers=(driver,))
+        assert alone.timetable is not None
+        plan = replace(plan, timetable=replace(alone.timetable, vehicles=(own,)))
+        assert sorted(articles(plan), reverse=True) == found
+
+
 def test_pauses_do_not_overlap(alone: Plan) -> None:
     times = alone.times[0]
     assert times is not None
@@ -209,12 +224,17 @@ def test_pauses_do_not_overlap(alone: Plan) -> None:
     assert articles(with_vehicle(alone, pauses=twice)) == [ARTICLE]
 
 
-def test_a_second_of_rounding_is_no_violation(alone: Plan) -> None:
+def test_fractions_of_a_second_are_no_violation(alone: Plan) -> None:
     times = alone.times[0]
     assert times is not None
-    for over_s, found in ((0.0, []), (1.0, []), (2.0, ["561/2006 Art. 7"])):
+    for over_s, found in ((0.0, []), (0.9, []), (1.0, ["561/2006 Art. 7"])):
         legs = (*times.legs[:2], (5.25 * HOUR, 9.75 * HOUR + over_s))
         assert articles(with_vehicle(alone, legs=legs)) == found
+    for short_s, found in ((0.5, []), (0.9, []), (1.0, ["561/2006 Art. 7"])):
+        legs = (times.legs[0], (2.25 * HOUR, 4.75 * HOUR + short_s), times.legs[2])
+        pauses = (times.pauses[0], replace(times.pauses[1], start_s=legs[1][1]))
+        said = articles(with_vehicle(alone, legs=legs, pauses=pauses))
+        assert [article for article in said if article != ARTICLE] == found
 
 
 def test_rules_without_a_checker_are_named(alone: Plan) -> None:
