@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..driving.rules import RULES
 from ..shown_text import fitted
-from .clock import Clock, duration
+from .clock import MENTIONED_S, Clock, duration
 from .pauses import Pause, PausePlace
 from .plan import Plan
 from .standing import asked_by_rules, day_ends_s, driven_s, standing
@@ -81,6 +81,8 @@ def _vehicle(times: VehicleTimes, clock: Clock, rules: str) -> str:
     text = f"{named(times.vehicle)} drives {duration(sum(driven))} until {ends}"
     if len(driven) > 1:
         text += f", its drivers {' and '.join(map(duration, driven))}"
+    if at_origin := _before_leaving(times, clock):
+        text += f"; {at_origin}"
     told = [one for one in standing(times) if asked_by_rules(one) or one in times.pauses]
     parts = [pause_text(one, clock) for one in told[:MOST_NAMES]]
     if len(told) > MOST_NAMES:
@@ -88,6 +90,15 @@ def _vehicle(times: VehicleTimes, clock: Clock, rules: str) -> str:
     if not told and rules:
         parts = ["no break"]
     return "; ".join([text, *parts])
+
+
+def _before_leaving(times: VehicleTimes, clock: Clock) -> str:
+    """Tell of rest at the origin, which may be a break or a part of one for who drove before."""
+    begin_s = min((one.state_at_s for one in times.drivers), default=times.departure_s)
+    tired = any(one.state.driven_since_break_s or one.state.duty_s for one in times.drivers)
+    if not tired or times.departure_s - begin_s < MENTIONED_S:
+        return ""
+    return f"at rest {clock.text(begin_s)} to {clock.text(times.departure_s)} before it leaves"
 
 
 def pause_text(pause: Pause, clock: Clock) -> str:

@@ -12,7 +12,7 @@ from random_networks import network
 
 import platoon_osm as po
 from platoon_osm.cli.exit_status import UNMET, end_if_unmet
-from platoon_osm.driving.state import RESTED
+from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.planning.timing.stops import cut_plan
 from platoon_osm.plans.lateness import NOT_LAWFUL
 from platoon_osm.plans.pauses import PURPOSES, DriverDay, Pause, PausePlace
@@ -86,6 +86,17 @@ def test_who_stands_for_nothing_and_who_has_two_drivers(bare):
         "change of drivers 09:45 to 09:50 at Secchia Ovest (services)"
     ) in rows(plan)
     assert any(line.endswith("/EC; a follower's clock slows by 50%.") for line in rows(plan))
+
+
+def test_rest_before_leaving_is_told_of_who_drove_before(bare):
+    half = {2: [(("second_part",), 30 * MIN, CAFE)]}
+    drove = DriverState(driven_since_break_s=5400, driven_today_s=5400)
+    told = rows(timed(bare, half, drivers=(DriverDay(drove, -15 * MIN),)))
+    assert any(
+        "until 14:00; at rest 05:45 to 06:00 before it leaves; second" in one for one in told
+    )
+    for driver in (DriverDay(drove, -10.0), DriverDay(RESTED, -15 * MIN)):
+        assert "at rest" not in timed(bare, half, drivers=(driver,)).summary()
 
 
 def test_without_rules_nothing_is_said_of_them(bare):
