@@ -14,10 +14,18 @@ from typing import Any
 from ...search.hierarchy.runtime.jit import compiled
 from .label_search import HELPERS, search
 
-__all__ = ["is_kept", "label_search"]
+__all__ = ["compile_now", "is_kept", "label_search"]
 
 SMALL = 60
 """Places to pause beyond which a search is compiled [1]."""
+
+ENOUGH = 400
+"""Places of all searches so far, from which on searches are compiled: there will be more [1]."""
+
+_searched = 0
+
+
+_wanted = False
 
 
 @cache
@@ -29,6 +37,12 @@ def _compiled() -> Callable[..., Any]:
     return compiled(search)
 
 
+def compile_now() -> None:
+    """Have the label search compiled from the next call on."""
+    global _wanted
+    _wanted = True
+
+
 def is_kept() -> bool:
     """Tell whether the compiled search lies in numba's cache, or has been loaded.
 
@@ -38,7 +52,7 @@ def is_kept() -> bool:
         Whether calling it takes no compiling.
     """
     kernel: Any = _compiled()
-    if kernel.signatures:
+    if kernel.signatures or _wanted:
         return True
     index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
     return index is not None and Path(index._index_path).is_file()
@@ -57,4 +71,7 @@ def label_search(places: int) -> Callable[..., Any]:
     callable
         `label_search.search`, or the same compiled.
     """
-    return search if places < SMALL and not is_kept() else _compiled()
+    global _searched
+    _searched += places
+    few = places < SMALL and _searched < ENOUGH
+    return search if few and not is_kept() else _compiled()

@@ -9,10 +9,13 @@ from typing import Any
 
 from .platoon_kernel import HELPERS, evaluate
 
-__all__ = ["evaluator", "is_kept"]
+__all__ = ["compile_now", "evaluator", "is_kept"]
 
-SMALL = 400
+SMALL = 24
 """Members times points up to which an uncompiled search takes less than compiling [1]."""
+
+
+_wanted = False
 
 
 @cache
@@ -26,6 +29,12 @@ def _compiled() -> Callable[..., Any]:
     return compiled(evaluate)
 
 
+def compile_now() -> None:
+    """Have the platoon's kernel compiled from the next call on."""
+    global _wanted
+    _wanted = True
+
+
 def is_kept() -> bool:
     """Tell whether the compiled kernel lies in numba's cache, or has been loaded.
 
@@ -35,7 +44,7 @@ def is_kept() -> bool:
         Whether calling it takes no compiling.
     """
     kernel: Any = _compiled()
-    if kernel.signatures:
+    if kernel.signatures or _wanted:
         return True
     index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
     return index is not None and Path(index._index_path).is_file()

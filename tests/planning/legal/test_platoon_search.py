@@ -73,7 +73,9 @@ def test_nothing_is_cheaper_than_what_is_found(kind, seed):
     one = drawn(1000 + seed, **KINDS[kind])
     rests = int(kind == "a night on the way")
     best, alone = everything(one, rests)
-    found = search_platoon(one.star, one.real, 60, free=one.free, in_time=np.isfinite(alone), extra_stops=6)
+    found = search_platoon(
+        one.star, one.real, 60, free=one.free, in_time=np.isfinite(alone), extra_stops=6
+    )
     assert found.proved
     if math.isinf(best) and not rests:
         # A rest more than its driving needs may help a master that cannot go without.

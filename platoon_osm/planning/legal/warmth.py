@@ -1,0 +1,56 @@
+"""The searches under driving rules, compiled before anybody waits for them."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+
+from ...driving.eu561 import EU561
+from ...driving.state import RESTED
+from . import kernel, platoon_compiled
+from .one_driver import fastest
+from .platoon_search import search_platoon
+from .road import NO_LIMIT, road_of
+from .star_times import Span, StarTimes, VehicleRules
+
+__all__ = ["warm_up"]
+
+
+def warm_up() -> float:
+    """Run the compiled searches once, on a road of three hops.
+
+    Returns
+    -------
+    float
+        Seconds that took.
+    """
+    begin = time.perf_counter()
+    kernel.compile_now()
+    platoon_compiled.compile_now()
+    road = road_of([3600] * 3, [NO_LIMIT] * 4)
+    fastest(road, EU561, RESTED, 0, 0)
+    rules = VehicleRules(EU561, RESTED, 0)
+    drive_s = np.arange(4) * 3600
+    cost = drive_s.astype(np.float64)
+    star = StarTimes(
+        road=road,
+        node_at=np.arange(4),
+        window=Span(0, 3600, 86_400),
+        rules=rules,
+        approach_s=drive_s[None, :],
+        onward_s=drive_s[None, ::-1],
+        entry=cost[None, :],
+        leave=cost[None, ::-1],
+        platoon=0.9 * cost[None, :],
+        length_m=20.0 * cost,
+        alone=cost[-1:],
+        alone_s=drive_s[-1:],
+        windows=(Span(0, 3600, 86_400),),
+        member_rules=(rules,),
+        relief=0.0,
+        master_alone=float(cost[-1]),
+        gain=np.full(3, 360.0),
+    )
+    search_platoon(star, None, 1.0)
+    return time.perf_counter() - begin
