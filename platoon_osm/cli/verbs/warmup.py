@@ -22,6 +22,7 @@ def verb(networks: tuple[str, ...]) -> None:
     from time import perf_counter
 
     from ...network.saved.store import open_network
+    from ...planning.legal import warmth
     from ...planning.timing import kernels
     from ...search.engine import prepare, warm_up
     from ...sources.load import load_network
@@ -34,6 +35,7 @@ def verb(networks: tuple[str, ...]) -> None:
         begun = perf_counter()
         warm_up()
         kernels.warm_up()
+        warmth.warm_up()
         seconds = perf_counter() - begun
         for name, net in nets:
             begin(f"preparing {name}")
