@@ -154,8 +154,21 @@ class Problem:
         if self.case == "D" and self.method != "dijkstra":
             raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
         check_one_clock(self.trips)
-        for trip in self.trips:
-            limits_of(self.rules, trip.driver.drivers)
+        self._check_rules()
+
+    def _check_rules(self) -> None:
+        limits = [limits_of(self.rules, trip.driver.drivers) for trip in self.trips]
+        if not any(one.limits_driving for one in limits):
+            return
+        name = self.rules.name
+        if self.method != "dijkstra":
+            raise ScenarioError(
+                f"driving rules {name!r} are beyond the paper's A*; use method dijkstra"
+            )
+        if not any(trip.times for trip in self.trips):
+            raise ScenarioError(
+                f"driving rules {name!r} need a clock; give at least one trip an earliest_departure"
+            )
 
     def __repr__(self) -> str:
         return (

@@ -163,6 +163,8 @@ def test_wrong_arguments_are_named_in_one_line(net, which):
         ({"master": ["A"]}, r"master \['A'\] has no trip"),
         ({"rules": None}, "rules is a NoneType; give driving rules"),
         ({"rules": "eu651"}, "driving rules 'eu651' is unknown; did you mean 'eu561'"),
+        ({"rules": "eu561"}, "rules 'eu561' need a clock; give at least one trip an earliest_dep"),
+        ({"rules": "us395", "method": "astar"}, "rules 'us395' are beyond the paper's A"),
         ({"task_relief": 1.1}, "task_relief is 1.1; give a number from 0 to 1"),
         ({"task_relief": True}, "task_relief is True; give a number from 0 to 1"),
         ({"trips": []}, "no trips; give at least one"),

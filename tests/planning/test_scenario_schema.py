@@ -92,7 +92,8 @@ def toml(value):
 
 
 def with_driver(driver, **more):
-    return {**GOOD, "trips": [{**TRIPS[0], "driver": driver}], **more}
+    at = {"earliest_departure": "2026-03-02T06:00:00"}
+    return {**GOOD, "trips": [{**TRIPS[0], **at, "driver": driver}], **more}
 
 
 def both_say(data, folder):

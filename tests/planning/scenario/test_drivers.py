@@ -19,6 +19,7 @@ task_relief = 0.5
 vehicle = "A"
 origin = "Torino"
 destination = "Trieste"
+earliest_departure = 2026-03-02T06:00:00
 driver = {driven_today_h = 2, driven_since_break_min = 90}
 
 [[trips]]
@@ -86,6 +87,8 @@ def test_every_time_is_told_in_any_of_three_units(tmp_path, key):
         ('rules = "eu561"', "rules = 561", "rules = 561 must be a text in quotes"),
         ('rules = "eu561"', 'rule = "eu561"', "no key 'rule'; did you mean 'rules'?"),
         ('rules = "eu561"', 'rules = "us395"', "rules 'us395' are not planned for two drivers"),
+        ("earliest_departure", "# ", "driving rules 'eu561' need a clock; give at least one trip"),
+        ("task_relief = 0.5", 'method = "astar"', "rules 'eu561' are beyond the paper's A*; use"),
         ("task_relief = 0.5", "task_relief = 2", "task_relief is 2; give a number from 0 to 1"),
         ("task_relief = 0.5", 'task_relief = "all"', "task_relief is 'all'"),
         ("task_relief = 0.5", "task_relief = nan", "task_relief is nan"),
