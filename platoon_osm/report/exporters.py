@@ -18,6 +18,7 @@ from ..registry import Registry
 
 if TYPE_CHECKING:
     from ..network.road_network import RoadNetwork
+    from ..plans.curves import DelayFrontier, DepartureCurve
     from ..plans.plan import Plan
 
 __all__ = ["EXPORTERS", "Exporter", "Writes"]
@@ -79,6 +80,8 @@ class Exporter:
         Whether it may be written to standard output.
     holds : tuple of str
         Patterns of the names of files in the folder; by default any.
+    takes : tuple of str
+        What `write` is told beside a title where it is known: "curve", "frontier".
     """
 
     name: str
@@ -89,12 +92,21 @@ class Exporter:
     also: tuple[str, ...] = ()
     is_text: bool = False
     holds: tuple[str, ...] = ("*",)
+    takes: tuple[str, ...] = ()
 
 
-def _html(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+def _html(
+    plan: Plan,
+    net: RoadNetwork,
+    path: AnyPath,
+    *,
+    title: str | None = None,
+    curve: DepartureCurve | None = None,
+    frontier: DelayFrontier | None = None,
+) -> None:
     from .pages.page import write_html
 
-    write_html(plan, net, path, title=title)
+    write_html(plan, net, path, title=title, curve=curve, frontier=frontier)
 
 
 def _pages(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
@@ -161,7 +173,15 @@ def _figures(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None =
 EXPORTERS: Registry[Exporter] = Registry(
     "exporter",
     [
-        Exporter("html", "self-contained map to write", ".html", _html, also=HTM, is_text=True),
+        Exporter(
+            "html",
+            "self-contained map to write",
+            ".html",
+            _html,
+            also=HTM,
+            is_text=True,
+            takes=("curve", "frontier"),
+        ),
         Exporter(
             "pages",
             "folder for the map in each language",

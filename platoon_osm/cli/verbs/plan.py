@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ from ..language import language_options
 from ..options import FILE, SectionOption, Sections
 from ..outputs import existing_files, output_kind, speaker, tell_written, write_all
 from ..progress import steps
+from ..time_worth import time_worth
 
 if TYPE_CHECKING:
     from ...network.road_network import RoadNetwork
@@ -100,7 +102,9 @@ def verb(scenario: Path | None, **given: Any) -> None:
         net = load_network(**asked.network)
         begin("planning")
         plan = asked.plan(net)
-        write = partial(partial, _write, plan, net, asked.title)
+        takes = {name for exporter, _ in chosen for name in exporter.takes}
+        more = time_worth(asked, net, plan) if takes else {}
+        write = partial(partial, _write, plan, net, asked.title, more)
         write_all([(output, write(exporter)) for exporter, output in chosen], begin)
     say = speaker(outputs)
     say(plan.summary())
@@ -108,5 +112,14 @@ def verb(scenario: Path | None, **given: Any) -> None:
     end_if_unmet([plan])
 
 
-def _write(plan: Plan, net: RoadNetwork, title: str, exporter: Exporter, path: Path) -> None:
-    exporter.write(plan, net, path, title=title)
+def _write(
+    plan: Plan,
+    net: RoadNetwork,
+    title: str,
+    more: Mapping[str, object],
+    exporter: Exporter,
+    path: Path,
+) -> None:
+    told = {name: value for name, value in more.items() if name in exporter.takes}
+    write: Callable[..., object] = exporter.write
+    write(plan, net, path, title=title, **told)

@@ -167,6 +167,27 @@ class Scenario:
         with told(self.file):
             return plan_joint(net, objective, trips, access=self.access(), **self._rules())
 
+    def problem(self, net: RoadNetwork) -> Problem:
+        """Return what is asked, for those who ask more of it than a plan.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        Problem
+            That whose answer is `plan`.
+
+        Raises
+        ------
+        PlatoonError
+            Anything that cannot be asked.
+        """
+        trips = tuple(self.located(net))
+        return Problem(net, trips, self.objective(), access=self.access(), **self._options())
+
     def check(self) -> None:
         """Check all that can be checked without the network: costs, options, who is named.
 
@@ -176,13 +197,15 @@ class Scenario:
             Anything that `plan` would refuse on any network, with the file.
         """
         with told(self.file, PlatoonError):
-            options = {
-                "optimum" if key == "objective" else key: value
-                for key, value in self._rules().items()
-            }
             # What is asked is checked where a problem is made; the least network there can be.
             road = RoadNetwork.from_edges([0], [1], lon=[0.0, 0.1], lat=[0.0, 0.0])
-            Problem(road, self.trips, self.objective(), access=self.access(), **options)
+            Problem(road, self.trips, self.objective(), access=self.access(), **self._options())
+
+    def _options(self) -> dict[str, Any]:
+        """Return the rules as a problem calls them."""
+        return {
+            "optimum" if key == "objective" else key: value for key, value in self._rules().items()
+        }
 
     def _rules(self) -> dict[str, Any]:
         rules = {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
