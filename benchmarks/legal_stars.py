@@ -12,7 +12,8 @@ import numpy as np
 
 from platoon_osm.driving.eu561 import EU561
 from platoon_osm.driving.state import DriverState
-from platoon_osm.planning.legal.road import NO_LIMIT, road_of
+from platoon_osm.planning.legal.platoon_real import RoadTrips
+from platoon_osm.planning.legal.road import NO_LIMIT, Road, road_of
 from platoon_osm.planning.legal.star_times import Span, StarTimes, VehicleRules
 
 KMH = 80.0
@@ -94,3 +95,17 @@ def made_star(
         member_rules=rules, relief=relief, master_alone=total / MINUTE,
         gain=np.zeros(len(tau) - 1),
     )  # fmt: skip
+
+
+def made_trips(star: StarTimes) -> RoadTrips:
+    """Return who answers how members of a made star really drive: places every half hour."""
+
+    def way(seconds: int) -> Road:
+        hops = [*[30 * MINUTE] * (seconds // (30 * MINUTE)), seconds % (30 * MINUTE)]
+        return road_of(hops if seconds else [], [NO_LIMIT] * (len(hops) + 1 if seconds else 1))
+
+    return RoadTrips(
+        star,
+        lambda member, node: way(int(star.approach_s[member, node])),
+        lambda member, node: way(int(star.onward_s[member, node])),
+    )

@@ -200,7 +200,7 @@ class MemberWays:
         stay = road.stay_s.copy()
         stay[hops] = NO_LIMIT
         road = met_between(
-            replace(road, stay_s=stay), hops, by_s, hops + part.road.hops, after_s
+            replace(road, stay_s=stay), hops, hops + part.road.hops, by_s, after_s
         )  # fmt: skip
         if not after.road.hops and after_s > window.arrival_s:
             return False

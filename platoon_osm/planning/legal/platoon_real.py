@@ -160,7 +160,7 @@ class RoadTrips:
         window, rules = star.windows[member], star.member_rules[member]
         if after.hops == 0 and after_s > window.arrival_s:
             return False
-        whole = met_between(whole, before.hops, by_s, before.hops + len(shared), after_s)
+        whole = met_between(whole, before.hops, before.hops + len(shared), by_s, after_s)
         earliest = window.earliest_s
         if earliest <= -OPEN_S:
             earliest = by_s - int(before.drive_s.sum()) - BEFORE_S
@@ -196,7 +196,7 @@ class RoadTrips:
         return bool(low != high)
 
 
-def met_between(road: Road, first: int, by_s: int, last: int, after_s: int) -> Road:
+def met_between(road: Road, first: int, last: int, by_s: int, after_s: int) -> Road:
     """Return a road of which one hop is started by a moment, and another not before another.
 
     Parameters

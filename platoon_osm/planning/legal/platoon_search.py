@@ -49,6 +49,9 @@ for separating."""
 SPLIT_S = 900
 """Spans shorter than this are split by stops before they are split again [s]."""
 
+ASKED_AT = (3, 10, 40, 160)
+"""After how many real trips that cannot be driven it is asked whether any could."""
+
 LOOSER_S = (900, 3600, 14400)
 """By how much more a pair that is ruled out may leave later and arrive earlier, as is tried [s]."""
 
@@ -94,6 +97,7 @@ class _Search:
     cuts: list[tuple[int, int, int, int]] = field(default_factory=list)
     """(row, code) of pairs that are out if the platoon leaves i by a moment and reaches j after
     another, whatever its stops."""
+    failed: dict[tuple[int, int], int] = field(default_factory=dict)
     evaluations: int = 0
     spans: int = 0
     plan: Seconds = field(init=False)
@@ -154,16 +158,26 @@ class _Search:
             one.rows, [(node.stops, node.clocks, node.end, node.begin) for node in nodes], False,
             one.refuted, one.low, self.best - self.tolerance - one.fixed,
         )  # fmt: skip
-        bounds = one.fixed + low.sum(axis=1)
-        for node, own, bound in zip(nodes, low, bounds.tolist(), strict=True):
-            if bound >= self.best - self.tolerance or bound == np.inf:
-                continue
+        bounds = (one.fixed + low.sum(axis=1)).tolist()
+        below = [
+            k for k, bound in enumerate(bounds)
+            if bound < self.best - self.tolerance and bound < np.inf
+        ]  # fmt: skip
+        ended = [k for k in below if nodes[k].clocks is None]
+        high = None
+        if ended:
+            tables: list[Table] = [
+                (nodes[k].stops, None, nodes[k].begin, nodes[k].end) for k in ended
+            ]
+            high = self.values(one.rows, tables, self.real is not None, one.refuted)[0]
+        for k in below:
+            node, own = nodes[k], low[k]
             node.low, node.cuts = own, len(self.cuts)
             if node.clocks is None:
-                table = node.stops, None, node.begin, node.end
-                high = self.values(node.rows, [table], self.real is not None, node.refuted)[0][0]
-                same = high - own <= self.tolerance * 1e-3
-                total = node.fixed + float(high.sum())
+                assert high is not None
+                most = high[ended.index(k)]
+                same = most - own <= self.tolerance * 1e-3
+                total = node.fixed + float(most.sum())
                 if total < self.best:
                     self.best, self.found = total, (node.stops, node.begin)
                 node.fixed += float(own[same].sum())
@@ -173,9 +187,9 @@ class _Search:
             # Of equal bounds the one that is nearest to its end.
             unsettled = len(self.numbers.alone) if node.clocks else len(node.rows)
             pauses = sum(length for _, length in node.stops)
-            level = round(bound / self.tolerance)
+            level = round(bounds[k] / self.tolerance)
             key = level, unsettled, -len(node.stops), pauses, -next(self.order)
-            heapq.heappush(self.heap, (key, bound, node))
+            heapq.heappush(self.heap, (key, bounds[k], node))
 
     def run(self, begin: int, end: int) -> bool:
         """Search; return whether it came to an end before the time was over."""
@@ -297,6 +311,10 @@ class _Search:
         """Rule a pair out whatever the stops are, if it is; return whether it is."""
         if self.free is None or row == self.numbers.master:
             return False
+        code = i * len(self.numbers.pos) + j
+        self.failed[row, code] = self.failed.get((row, code), 0) + 1
+        if self.failed[row, code] not in ASKED_AT:
+            return False
         at, shift = self.numbers.pos, self.numbers.first_node
         by = int(Timetable.of(self.star, v, stops).leave_s[at[i]])
         after = int(Timetable.of(self.star, u, stops).arrive_s[at[j]])
@@ -305,7 +323,7 @@ class _Search:
                 break
             if more == 0:
                 self.cuts.append((0, 0, 0, 0))
-            self.cuts[-1] = row, i * len(at) + j, by + more, after - more
+            self.cuts[-1] = row, code, by + more, after - more
         else:
             return True
         return bool(more)

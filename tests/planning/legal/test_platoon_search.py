@@ -13,8 +13,9 @@ from platoon_osm.planning.legal.platoon_search import search_platoon
 
 @pytest.fixture(autouse=True)
 def short_spans(monkeypatch):
-    """Let spans of a few seconds be split, too."""
+    """Let spans of a few seconds be split, too, and pairs be ruled out at once."""
     monkeypatch.setattr(platoon_search, "SPLIT_S", 3)
+    monkeypatch.setattr(platoon_search, "ASKED_AT", range(1, 99))
 
 
 def pairs_of(star, member):
