@@ -121,7 +121,7 @@ def test_what_has_no_curve():
         po.delay_frontier(po.Problem(net, timed[:1], costs))
     with pytest.raises(po.ScenarioError, match="minutes, 0 or more"):
         po.delay_frontier(po.Problem(net, timed, costs), [-1])
-    with pytest.raises(po.ScenarioError, match="use [.]png, [.]svg or [.]pdf"):
+    with pytest.raises(po.ScenarioError, match=r"use \.png, \.svg or \.pdf"):
         po.write_curve(po.departure_curve(po.Problem(net, timed, costs)), "curve.gif")
 
 
