@@ -14,6 +14,7 @@ from ..costs.weights import EdgeWeights
 from ..driving.rules import Drive, DrivingRules, limits_of
 from ..errors import ScenarioError, brief
 from ..network.access import STANDARD_ACCESS, Access
+from ..network.placed import network_below
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.proof import Proof
@@ -39,6 +40,7 @@ from .tight_limits import tight_limits
 from .timing.bans import with_hours
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
+from .timing.slower_approach import with_slower_approaches
 from .tunnels import passed_tunnels
 from .writing import written_plan
 from .zones_crossed import zones_crossed
@@ -199,6 +201,7 @@ def solve(problem: Problem) -> Plan:
         best = best_answer(question)
         plan = finished(best, reasons_alone(question, best.answer))
         plan = lawful_company(question, best, plan, vehicles, finished)
+        plan = with_slower_approaches(plan, network_below(net), vehicles)
     else:
         plan = timed(_by_astar(question))
     return _with_rules(_with_limits(plan, net, vehicles, shut), problem)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -82,26 +83,40 @@ class Opened:
         assert [url for url in self.requests if not url.startswith("data:")] == [path.as_uri()]
 
 
+def _opened(
+    chromium: Any,
+    contexts: list[Any],
+    path: Path,
+    width: int = 1440,
+    height: int = 900,
+    wait_for: str | None = "#map_plan[data-ready]",
+    **options: Any,
+) -> Opened:
+    context = chromium.new_context(
+        viewport={"width": width, "height": height}, offline=True, **options
+    )
+    contexts.append(context)
+    context.set_default_timeout(20_000)
+    found = Opened(context.new_page())
+    found.page.goto(path.as_uri())
+    if wait_for and options.get("java_script_enabled", True):
+        found.page.wait_for_selector(wait_for)
+    return found
+
+
 @pytest.fixture
 def visit(chromium: Any) -> Iterator[Callable[..., Opened]]:
     """Open a file in a fresh context with the network cut."""
     contexts: list[Any] = []
+    yield partial(_opened, chromium, contexts)
+    for context in contexts:
+        context.close()
 
-    def opened(
-        path: Path, width: int = 1440, height: int = 900,
-        wait_for: str | None = "#map_plan[data-ready]", **options: Any,
-    ) -> Opened:  # fmt: skip
-        context = chromium.new_context(
-            viewport={"width": width, "height": height}, offline=True, **options
-        )
-        contexts.append(context)
-        context.set_default_timeout(20_000)
-        found = Opened(context.new_page())
-        found.page.goto(path.as_uri())
-        if wait_for and options.get("java_script_enabled", True):
-            found.page.wait_for_selector(wait_for)
-        return found
 
-    yield opened
+@pytest.fixture(scope="module")
+def look(chromium: Any) -> Iterator[Callable[[Path, int, int], Opened]]:
+    """Look at a file that is opened once at each size, for tests that leave it as it is."""
+    contexts: list[Any] = []
+    yield cache(partial(_opened, chromium, contexts))
     for context in contexts:
         context.close()

@@ -131,9 +131,16 @@ def test_no_text_of_a_chart_is_cut_or_covers_another(
                 assert box["size"] > least, (width, chart["name"], box["text"])
 
 
+SPOKEN = [
+    (kind, *how)
+    for kind in ("waits of hours at night", "eight who wait", "fifty in one")
+    for how in (("de", None), ("it", 12))
+]
+
+
 @browser
-@pytest.mark.parametrize(("language", "clock"), [("de", None), ("it", 12)])
-@pytest.mark.parametrize("kind", ["waits of hours at night", "eight who wait", "fifty in one"])
+@soaked
+@pytest.mark.parametrize(("kind", "language", "clock"), chosen(SPOKEN[:4:3] + SPOKEN[4:5], SPOKEN))
 def test_texts_fit_in_other_languages(
     kind: str, language: str, clock: int | None, visit: Visit, tmp_path: Path
 ) -> None:

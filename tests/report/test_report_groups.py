@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from bundled import italy as italy_map
 from po_valley import fifty, make_plan
+from soak import chosen, soaked
 
 import platoon_osm
 from platoon_osm.network.road_network import RoadNetwork
@@ -286,7 +287,8 @@ def chart_type(page: Any) -> float:
 
 
 @browser
-@pytest.mark.parametrize("vehicles", [1, 2, 8, 9, 20, 50])
+@soaked
+@pytest.mark.parametrize("vehicles", chosen([1, 9, 50], [1, 2, 8, 9, 20, 50]))
 def test_any_plan_prints_on_two_pages(
     net: RoadNetwork, visit: Visit, tmp_path: Path, vehicles: int
 ) -> None:
@@ -316,7 +318,8 @@ def test_several_platoons_print_on_two_pages(two_file: Path, visit: Visit) -> No
 
 
 @browser
-@pytest.mark.parametrize("vehicles", [3, 6, 8, 20])
+@soaked
+@pytest.mark.parametrize("vehicles", chosen([3, 20], [3, 6, 8, 20]))
 def test_a_plan_with_times_prints_on_two_pages(visit: Visit, tmp_path: Path, vehicles: int) -> None:
     net = italy_map()
     towns = ["Torino", "Trieste", "Milano", "Bologna", "Padova", "Verona", "Genova", "Brescia"]

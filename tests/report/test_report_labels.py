@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import shapely
 from plan_kinds import plan_kind
+from soak import chosen, soaked
 
 from platoon_osm.report import write_html
 from platoon_osm.report.document.document import document_of
@@ -191,9 +192,14 @@ FAULTS = """() => {
 }"""
 
 
+WINDOWS = [(1440, 900), (700, 900), (390, 844)]
+EVERY = [(kind, *window) for kind in KINDS for window in WINDOWS]
+SOME = EVERY[:3] + [EVERY[3 * k + k % 3] for k in range(1, len(KINDS))]
+
+
 @pytest.mark.browser
-@pytest.mark.parametrize(("width", "height"), [(1440, 900), (700, 900), (390, 844)])
-@pytest.mark.parametrize("kind", KINDS)
+@soaked
+@pytest.mark.parametrize(("kind", "width", "height"), chosen(SOME, EVERY))
 def test_texts_of_a_live_map_are_whole_and_in_nobodys_way(
     kind: str, width: int, height: int, pages: dict[str, Path], visit: Visit
 ) -> None:

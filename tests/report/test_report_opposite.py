@@ -117,22 +117,23 @@ BANDS = """([selector, x]) => {
 
 
 @browser
-@pytest.mark.parametrize("zoom", [0, 2, 4])
 @pytest.mark.parametrize("width", [1440, 390])
-def test_bands_of_both_ways_lie_apart(page_file: Path, visit: Visit, width: int, zoom: int) -> None:
+def test_bands_of_both_ways_lie_apart(page_file: Path, visit: Visit, width: int) -> None:
     opened = visit(page_file, width, 900)
     page = opened.page
-    # Between Verona and Vicenza there is one platoon each way.
-    page.evaluate(
-        f"void map_plan.setView([45.47, 11.27], map_plan.getZoom() + {zoom}, {{animate: false}})"
-    )
-    x = page.evaluate("map_plan.latLngToLayerPoint([45.47, 11.27]).x")
-    found = page.evaluate(BANDS, ['#map_plan path[stroke="#ffd54a"]', x])
-    assert found["count"] == 2
-    # Right of travel: the eastward band, drawn first, lies south of the westward one.
-    assert found["below"] > 0
-    assert found["far"] >= sum(found["widths"]) / 2
-    assert found["far"] <= sum(found["widths"]) / 2 + 6
+    whole = page.evaluate("map_plan.getZoom()")
+    for closer in (0, 2, 4):
+        # Between Verona and Vicenza there is one platoon each way.
+        page.evaluate(
+            f"void map_plan.setView([45.47, 11.27], {whole} + {closer}, {{animate: false}})"
+        )
+        x = page.evaluate("map_plan.latLngToLayerPoint([45.47, 11.27]).x")
+        found = page.evaluate(BANDS, ['#map_plan path[stroke="#ffd54a"]', x])
+        assert found["count"] == 2, closer
+        # Right of travel: the eastward band, drawn first, lies south of the westward one.
+        assert found["below"] > 0, closer
+        assert found["far"] >= sum(found["widths"]) / 2, closer
+        assert found["far"] <= sum(found["widths"]) / 2 + 6, closer
     opened.check(page_file)
 
 

@@ -120,8 +120,8 @@ def test_it_is_a_folium_map(plan: JointPlan, net: RoadNetwork, page_file: Path) 
 
 @browser
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (900, 1000), (899, 1000), (390, 844)])
-def test_layout(page_file: Path, visit: Visit, width: int, height: int) -> None:
-    opened = visit(page_file, width, height)
+def test_layout(page_file: Path, look: Visit, width: int, height: int) -> None:
+    opened = look(page_file, width, height)
     page = opened.page
     box = page.locator("#map_plan").bounding_box()
     panel = page.locator("#panel").bounding_box()
@@ -139,9 +139,13 @@ def test_layout(page_file: Path, visit: Visit, width: int, height: int) -> None:
 
 
 @browser
-@pytest.mark.parametrize("width", [1440, 900, 899, 600, 390])
-def test_who_made_the_map_is_told_in_full(page_file: Path, visit: Visit, width: int) -> None:
-    page = visit(page_file, width, 900).page
+@pytest.mark.parametrize(
+    ("width", "height"), [(1440, 900), (900, 1000), (899, 1000), (600, 900), (390, 844)]
+)
+def test_who_made_the_map_is_told_in_full(
+    page_file: Path, look: Visit, width: int, height: int
+) -> None:
+    page = look(page_file, width, height).page
     credit = page.locator(".credit")
     lines = credit.locator("bdi").all_inner_texts()
     assert lines == ["Made by hand for tests, CC0", GEONAMES_CREDIT]
@@ -163,9 +167,9 @@ def test_who_made_the_map_is_told_in_full(page_file: Path, visit: Visit, width: 
 
 
 @browser
-def test_a_callout_points_at_its_own_mark(page_file: Path, visit: Visit) -> None:
+def test_a_callout_points_at_its_own_mark(page_file: Path, look: Visit) -> None:
     """A leader ends on the mark whose callout it comes from, moved aside or not."""
-    page = visit(page_file).page
+    page = look(page_file, 1440, 900).page
     far = page.evaluate(
         """() => {
           const at = (e) => { const b = e.getBoundingClientRect();
@@ -189,8 +193,8 @@ BOXES = """() => [...document.querySelectorAll('.name, .callout')].map(e => {
 
 @browser
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (900, 1000), (390, 844)])
-def test_no_label_covers_another(page_file: Path, visit: Visit, width: int, height: int) -> None:
-    page = visit(page_file, width, height).page
+def test_no_label_covers_another(page_file: Path, look: Visit, width: int, height: int) -> None:
+    page = look(page_file, width, height).page
     boxes = page.evaluate(BOXES)
     assert len(boxes) > (20 if width == 1440 else 5)
     for i, a in enumerate(boxes):
@@ -200,8 +204,8 @@ def test_no_label_covers_another(page_file: Path, visit: Visit, width: int, heig
 
 
 @browser
-def test_callouts_say_who_joins_and_cover_no_mark(page_file: Path, visit: Visit) -> None:
-    page = visit(page_file).page
+def test_callouts_say_who_joins_and_cover_no_mark(page_file: Path, look: Visit) -> None:
+    page = look(page_file, 1440, 900).page
     texts = page.locator(".callout").all_inner_texts()
     assert "Merge: Brescia Centro\nB joins A and C" in texts
     assert len(texts) == 4
@@ -218,8 +222,8 @@ def test_callouts_say_who_joins_and_cover_no_mark(page_file: Path, visit: Visit)
 
 
 @browser
-def test_band_holds_one_line_per_vehicle(page_file: Path, visit: Visit) -> None:
-    page = visit(page_file).page
+def test_band_holds_one_line_per_vehicle(page_file: Path, look: Visit) -> None:
+    page = look(page_file, 1440, 900).page
     widths = page.evaluate(
         """() => [...document.querySelectorAll('#map_plan path[stroke="#ffd54a"]')]
           .map(e => +e.getAttribute('stroke-width'))"""
@@ -238,32 +242,30 @@ def test_band_holds_one_line_per_vehicle(page_file: Path, visit: Visit) -> None:
 COUNT = "name => document.querySelectorAll(name).length"
 
 
+LAYERS = [
+    ("platoon", '#map_plan path[stroke="#ffd54a"]', 0),
+    ("vehicle-1", '#map_plan path[stroke="#c14900"]', 0),
+    ("merge", '.event-mark use[href="#icon-merge"]', 0),
+    ("separation", '.event-mark use[href="#icon-separation"]', 0),
+    ("ends", ".mark.end", 0),
+    ("names", ".name", 0),
+    ("vehicle-2", ".mark.end", 4),
+]
+
+
 @browser
-@pytest.mark.parametrize(
-    ("layer", "selector", "left"),
-    [
-        ("platoon", '#map_plan path[stroke="#ffd54a"]', 0),
-        ("vehicle-1", '#map_plan path[stroke="#c14900"]', 0),
-        ("merge", '.event-mark use[href="#icon-merge"]', 0),
-        ("separation", '.event-mark use[href="#icon-separation"]', 0),
-        ("ends", ".mark.end", 0),
-        ("names", ".name", 0),
-        ("vehicle-2", ".mark.end", 4),
-    ],
-)
-def test_legend_is_the_layer_control(
-    page_file: Path, visit: Visit, layer: str, selector: str, left: int
-) -> None:
+def test_legend_is_the_layer_control(page_file: Path, visit: Visit) -> None:
     opened = visit(page_file)
     page = opened.page
-    before = page.evaluate(COUNT, selector)
-    assert before > left
-    box = page.locator(f'[data-layer="{layer}"]')
-    box.focus()
-    page.keyboard.press("Space")
-    assert page.evaluate(COUNT, selector) == left
-    page.keyboard.press("Space")
-    assert page.evaluate(COUNT, selector) == before
+    for layer, selector, left in LAYERS:
+        before = page.evaluate(COUNT, selector)
+        assert before > left, layer
+        box = page.locator(f'[data-layer="{layer}"]')
+        box.focus()
+        page.keyboard.press("Space")
+        assert page.evaluate(COUNT, selector) == left, layer
+        page.keyboard.press("Space")
+        assert page.evaluate(COUNT, selector) == before, layer
     opened.check(page_file)
 
 

@@ -163,7 +163,8 @@ PAGES = 8
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("page_number", range(PAGES))
+@soaked
+@pytest.mark.parametrize("page_number", chosen(range(0, PAGES, 2), range(PAGES)))
 def test_nothing_runs_in_the_browser(
     page_number: int, visit: Callable[..., Any], tmp_path: Path
 ) -> None:

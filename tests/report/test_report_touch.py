@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from page_boxes import MAP_FAULTS, Pages
+from soak import chosen, soaked
 
 pytestmark = pytest.mark.browser
 
@@ -89,8 +90,15 @@ def test_a_tap_shows_the_tip_of_its_mark_and_scrolls_nothing(
         assert inside, head
 
 
-@pytest.mark.parametrize("kind", ["long names", "names without a break", "eight vehicles"])
-@pytest.mark.parametrize("width", [320, 1440])
+FULL = [
+    (kind, width)
+    for kind in ("long names", "names without a break", "eight vehicles")
+    for width in (320, 1440)
+]
+
+
+@soaked
+@pytest.mark.parametrize(("kind", "width"), chosen([FULL[0], FULL[3], FULL[4]], FULL))
 def test_every_tip_lies_in_the_frame(pages: Pages, kind: str, width: int) -> None:
     """Also where it has no good place: lines by keyboard, marks at the edge of a moved map."""
     page = pages.open(kind, (width, 700))

@@ -14,7 +14,7 @@ __all__ = ["verb"]
 @click.command("warmup", short_help="compile the fast engine once, and prepare networks for it")
 @click.argument("networks", nargs=-1)
 def verb(networks: tuple[str, ...]) -> None:
-    """Compile the fast engine, which takes about half a minute once, so that no plan waits for it.
+    """Compile the fast engine, which takes about a minute once, so that no plan waits for it.
 
     NETWORKS are saved networks (.platoon), from `prepare`, whose hierarchy is built too and kept
     beside them. Other maps, by file or name, are tried with it; nothing is kept beside those.
@@ -29,7 +29,7 @@ def verb(networks: tuple[str, ...]) -> None:
 
     tried = []
     with steps(1 + len(networks)) as begin:
-        # A slip in a name is told at once, not after half a minute.
+        # A slip in a name is told at once, not after a minute.
         nets = [(name, load_network(name)) for name in networks]
         begin("compiling")
         begun = perf_counter()

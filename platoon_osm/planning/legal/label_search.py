@@ -341,7 +341,9 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
     return True
 
 
-def _least_left(a: IntArray, seconds: int, clock: int, p: IntArray) -> int:
+def _least_left(
+    a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, weeks: int
+) -> int:  # fmt: skip
     """Return how long the rest of a road takes at least, with breaks and rests anywhere on it."""
     rest = min(p[REDUCED], p[DAILY])
     rests = 0
@@ -363,6 +365,16 @@ def _least_left(a: IntArray, seconds: int, clock: int, p: IntArray) -> int:
         bound += breaks * pause
         if a[PART] == 1:
             bound -= pause - min(pause, p[SECOND])
+    if weeks == 1 and p[CALENDAR] == 1 and clock > 0:
+        week = (a[TIME] - monday) // WEEK_S
+        driven, last = a[WEEK_DRIVEN], a[LAST_WEEK]
+        if week > a[WEEK]:
+            last = driven if week == a[WEEK] + 1 else 0
+            driven = 0
+        over = clock - min(p[MOST_WEEK] - driven, p[FORTNIGHT] - driven - last)
+        if p[CHANGE] == NO_LIMIT and over > 0:
+            # So much is driven after Monday, in as much time if the clock counts all of it.
+            bound = max(bound, monday + (week + 1) * WEEK_S - a[TIME] + over)
     return bound
 
 
@@ -547,7 +559,7 @@ def search(
                         found_info[count, CLOSES] = closes
                     if not _drive(out, drive_s[k], clock_s[k], p, monday, weeks, weekly):
                         continue
-                    bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p)
+                    bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
                     if out[TIME] + bound > latest:
                         continue
                     count += 1
@@ -580,17 +592,19 @@ def search(
             # The most promising: by when they could arrive at the earliest.
             begin = first[k + 1]
             size = total - begin
+            bounds = np.zeros(size, np.int64)
             for position in range(size):
-                found[position] = kept[begin + position]
+                a = kept[begin + position]
+                found[position] = a
                 found_info[position] = kept_info[begin + position]
-                bound = _least_left(found[position], left_s[k + 1], left_clock[k + 1], p)
+                bound = _least_left(a, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
+                bounds[position] = bound
                 found[position, TIME] += bound
             _by_time(found, size, order)
             for position in range(width):
                 label = order[position]
-                bound = _least_left(found[label], left_s[k + 1], left_clock[k + 1], p)
                 kept[begin + position] = found[label]
-                kept[begin + position, TIME] -= bound
+                kept[begin + position, TIME] -= bounds[label]
                 kept_info[begin + position] = found_info[label]
             total = begin + width
     first[n + 1] = total

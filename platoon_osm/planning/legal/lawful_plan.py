@@ -2,11 +2,13 @@
 
 Who drives with whom is given as runs, with the legal trip of each vehicle. They are written down,
 cut where vehicles stand, and get the times of the linear programme. Should those break a closing
-of a road, for they need not be the moments of the search, the search's own moments are taken.
+of a road, for they need not be the moments of the search, or may weeks matter, of which the
+programme knows nothing, the search's own moments are taken.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -22,6 +24,8 @@ from .legal_question import LegalQuestion
 from .moments import table_of_moments
 
 __all__ = ["timed_under_law"]
+
+WEEK_S = 7 * 86_400
 
 
 def timed_under_law(
@@ -49,6 +53,9 @@ def timed_under_law(
     cut = plan_with_days(plan, legal.question.net, routes, driven)
     patience_s = problem.patience_min * 60.0
     below = network_below(legal.question.net)
+    moments = table_of_moments(legal, cut.plan, cut.days, cut.points, driven)
+    if any(_minds_weeks(legal, one) for one in driven):
+        return _ruled(legal, cut.plan, moments)
     try:
         table = schedule(cut.plan, problem.trips, patience_s, cut.days, legal.duration_s)
         assert table is not None
@@ -58,8 +65,22 @@ def timed_under_law(
     except ScenarioError:
         # Rounded to the last digit, what is possible may seem not to be.
         pass
-    table = table_of_moments(legal, cut.plan, cut.days, cut.points, driven)
-    return _ruled(legal, cut.plan, table)
+    return _ruled(legal, cut.plan, moments)
+
+
+def _minds_weeks(legal: LegalQuestion, driven: Driven) -> bool:
+    """Tell whether a vehicle's trip depends on what is driven in a week, or on weekly rests."""
+    trip, rules = driven.trip, driven.rules
+    limits, state = rules.limits, rules.state
+    drives = float(driven.way.road.clock_s.sum())
+    begin = trip.departure_s if rules.state_at_s is None else rules.state_at_s
+    passes = (trip.arrival_s - legal.monday_s) // WEEK_S > (begin - legal.monday_s) // WEEK_S
+    return (
+        state.driven_this_week_s + drives > limits.week_s
+        or state.driven_this_week_s + state.driven_last_week_s + drives > limits.fortnight_s
+        or state.since_weekly_rest_s + trip.arrival_s - begin > limits.weekly_after_s
+        or (passes and limits.week_s < math.inf)
+    )
 
 
 def _ruled(legal: LegalQuestion, plan: Plan, table: Timetable) -> Plan:

@@ -23,11 +23,13 @@ from ...driving.state import DriverState
 from ...errors import ScenarioError
 from .kernel import label_search
 from .label_search import (
+    CALENDAR,
     FORTNIGHT,
     GONE,
     GONE_MOST,
     MOST_WEEK,
     TIME,
+    WEEK_S,
     WEEKLY_DUE,
     WEEKLY_END,
 )  # fmt: skip
@@ -40,6 +42,12 @@ from .waiting import windows_of
 __all__ = ["Aim", "farthest", "fastest", "least_late"]
 
 Aim = Literal["arrive", "leave"]
+
+MANY = 40
+"""Hops beyond which, where the driving of a week is too much, only some labels are kept."""
+
+WEEK_WIDTHS = (40, 300)
+"""How many of each point those are, and how many if that finds nothing."""
 
 WIDTH = 12
 """Labels of each point that are kept in the first, narrow search."""
@@ -207,7 +215,7 @@ class _Search:
         self.numbers = numbers_of(limits)
         self.kinds = kinds_of(self.numbers)
         self.windows = windows_of(road)
-        self.kernel = label_search(int((road.stay_s > 0).sum()))
+        self.kernel = label_search(road.hops)
         total = int(road.clock_s.sum())
         this, last = state.driven_this_week_s, state.driven_last_week_s
         fits = this + total <= self.numbers[MOST_WEEK]
@@ -218,9 +226,52 @@ class _Search:
         self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
         aim: Aim,
     ) -> LegalTrip | None:  # fmt: skip
+        """Return the best trip that leaves within a span of time.
+
+        Where the driving of a week could be too much it is first not looked at: the best of more
+        trips is the best if it keeps those limits too.
+        """
+        asked = (state_at_s, earliest_s, latest_s, arrival_s, aim)
+        if self.weeks:
+            self.weeks = 0
+            found = self._best(*asked)
+            self.weeks = 1
+            if found is None or self._fits(found, state_at_s):
+                return found
+        return self._best(*asked)
+
+    def _fits(self, trip: LegalTrip, state_at_s: int | None) -> bool:
+        """Return whether a trip keeps the limits of driving in a week."""
+        if not self.numbers[CALENDAR] or trip.drives:
+            return False
+        since = trip.departure_s if state_at_s is None else state_at_s
+        week = (since - self.monday) // WEEK_S
+        state = self.state
+        driven = {week - 1: state.driven_last_week_s, week: state.driven_this_week_s}
+        stands = {one.point: one.end_s - one.start_s for one in trip.pauses}
+        at = trip.departure_s
+        for hop in range(self.road.hops):
+            at += stands.get(hop, 0)
+            seconds, clock = int(self.road.drive_s[hop]), int(self.road.clock_s[hop])
+            week = (at - self.monday) // WEEK_S
+            left = self.monday + (week + 1) * WEEK_S - at
+            after = 0 if seconds <= left else clock - clock * left // seconds
+            before = clock if seconds <= left else -(-clock * left // seconds)
+            for one, own in ((week, before), (week + 1, after)):
+                driven[one] = driven.get(one, 0) + own
+                two = driven[one] + driven.get(one - 1, 0)
+                if own and (driven[one] > self.numbers[MOST_WEEK] or two > self.numbers[FORTNIGHT]):
+                    return False
+            at += seconds
+        return True
+
+    def _best(
+        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
+        aim: Aim,
+    ) -> LegalTrip | None:  # fmt: skip
         """Return the best trip that leaves within a span of time."""
         if aim == "arrive":
-            found = self.arrival(state_at_s, earliest_s, latest_s)
+            found = self._arrival(state_at_s, earliest_s, latest_s)
             if found is None or (arrival_s is not None and found > arrival_s):
                 return None
             arrival_s = found
@@ -229,7 +280,7 @@ class _Search:
             leaves = min(latest_s, arrival_s)
             return LegalTrip(leaves, leaves) if leaves >= earliest_s else None
         start = self._start(state_at_s, earliest_s, latest_s)
-        labels, info, first = self._run(start, arrival_s, late=True, width=0)
+        labels, info, first = self._widest(start, arrival_s, late=True)
         low, high = int(first[-2]), int(first[-1])
         if low == high:
             return None
@@ -246,16 +297,34 @@ class _Search:
 
     def arrival(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> int | None:
         """Return the earliest arrival of those who leave within a span of time."""
+        found = self.best(state_at_s, earliest_s, latest_s, None, "arrive")
+        return None if found is None else found.arrival_s
+
+    def _arrival(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> int | None:
         if self.road.hops == 0:
             return earliest_s if earliest_s <= latest_s else None
         start = self._start(state_at_s, earliest_s, latest_s)
         bound = NO_LIMIT
-        for width in (WIDTH, 0):
-            labels, _, first = self._run(start, bound, late=False, width=width)
-            low, high = int(first[-2]), int(first[-1])
-            if low < high:
-                bound = int(labels[low:high, TIME].min())
+        labels, _, first = self._run(start, bound, late=False, width=WIDTH)
+        low, high = int(first[-2]), int(first[-1])
+        if low < high:
+            bound = int(labels[low:high, TIME].min())
+        labels, _, first = self._widest(start, bound, late=False)
+        low, high = int(first[-2]), int(first[-1])
+        if low < high:
+            bound = min(bound, int(labels[low:high, TIME].min()))
         return bound if bound < NO_LIMIT else None
+
+    def _widest(
+        self, start: Start, arrival_s: int, late: bool
+    ) -> tuple[IntArray, IntArray, IntArray]:
+        """Run with all labels, or as many as a long road lets one keep."""
+        widths = WEEK_WIDTHS if self.weeks and self.road.hops > MANY else (0,)
+        for width in widths:
+            found = self._run(start, arrival_s, late, width)
+            if found[2][-2] < found[2][-1]:
+                break
+        return found
 
     def reached(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> int:
         """Return the last point that can be reached, whatever becomes of it then."""

@@ -1,5 +1,6 @@
 """The fastest legal trip of one driver: against all trips of small roads, and by hand."""
 
+import math
 import random
 from dataclasses import replace
 
@@ -19,6 +20,12 @@ from platoon_osm.planning.legal.road import FREE, NO_LIMIT, road_of
 MIN, H = 60, 3600
 STEP = 600
 LONGEST = 8
+
+
+@pytest.fixture(autouse=True)
+def uncompiled(monkeypatch):
+    """Compile nothing: many small searches take less."""
+    monkeypatch.setattr(kernel, "COMPILING_S", math.inf)
 
 
 def drawn_limits(rng, step, weeks):
