@@ -1,14 +1,24 @@
 """A platoon under the law against every stop, departure, pair of points and second of standing."""
 
+import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from small_law import NO_PARTS, all_stops, drawn
 
+from platoon_osm.driving.state import RESTED
+from platoon_osm.driving.us395 import US395
 from platoon_osm.planning.legal import platoon_search
+from platoon_osm.planning.legal.platoon_kernel import evaluate
+from platoon_osm.planning.legal.platoon_numbers import numbers_of_star
+from platoon_osm.planning.legal.platoon_real import RoadTrips
 from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
 from platoon_osm.planning.legal.platoon_search import search_platoon
+from platoon_osm.planning.legal.platoon_stops import MasterStops
+from platoon_osm.planning.legal.road import NO_LIMIT, road_of
+from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, VehicleRules
 
 
 @pytest.fixture(autouse=True)
@@ -95,3 +105,119 @@ def test_draws_hold_what_matters():
             met += not member.is_alone
             apart += member.is_alone
     assert min(met, apart, nobody) >= 5
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_every_node_is_bounded_by_what_its_departures_cost(seed):
+    """Of decided stops: least over a span <= cost at each departure <= certain over the span."""
+    one = drawn(2000 + seed, relief=0.5 * (seed % 3))
+    star = one.star
+    alone = [star.alone[k] if one.goes_alone(k) else math.inf for k in range(len(star.alone))]
+    search = a_search(one, np.isfinite(alone))
+    rows = np.arange(len(star.alone))
+    first, last = star.window.earliest_s, star.window.latest_s
+    known = {}
+    for stops in itertools.islice(all_stops(star, 0), 0, None, 9):
+        span = stops, None, last, first
+        least, _, _ = search.values(rows, [span], False)
+        certain, _, _ = search.values(rows, [(stops, None, first, last)], True)
+        for departure in range(first, last + 1):
+            table = Timetable.of(star, departure, stops)
+            for member in rows.tolist():
+                cost = min(cheapest(one, table, alone, member, known), search.numbers.penalty)
+                assert least[0, member] <= cost + 1e-9
+                assert cost <= certain[0, member] + 1e-9
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_open_stops_are_bounded_by_whatever_they_may_be(seed):
+    one = drawn(3000 + seed)
+    star = one.star
+    alone = [star.alone[k] if one.goes_alone(k) else math.inf for k in range(len(star.alone))]
+    search = a_search(one, np.isfinite(alone))
+    rows = np.arange(len(star.alone))
+    first, last = star.window.earliest_s, star.window.latest_s
+    known = {}
+    for stops in itertools.islice(all_stops(star, 0), 0, None, 7):
+        for departure in range(first, last + 1, 2):
+            table = Timetable.of(star, departure, stops)
+            if one.real(MASTER, 0, 0, table) is None:
+                continue
+            for count in range(len(stops)):
+                clocks = search.stops.states(stops[:count], last)
+                assert clocks is not None
+                least, _, _ = search.values(rows, [(stops[:count], clocks, last, first)], False)
+                for member in rows.tolist():
+                    cost = min(cheapest(one, table, alone, member, known), search.numbers.penalty)
+                    assert least[0, member] <= cost + 1e-9
+
+
+def a_search(one, in_time):
+    """Return a search that has not begun."""
+    numbers = numbers_of_star(one.star, in_time, np.ones(len(in_time), bool), 1)
+    stops = MasterStops(numbers, 6, 0)
+    return platoon_search._Search(one.star, numbers, stops, one.real, math.inf, evaluate, 1e-9)
+
+
+def test_when_the_time_is_over_the_bound_holds():
+    for seed in range(12):
+        one = drawn(seed, members=3)
+        whole = search_platoon(one.star, one.real, 60, extra_stops=6)
+        if whole.timetable is None:
+            continue
+        cut = search_platoon(one.star, one.real, 0.0, extra_stops=6)
+        assert not cut.proved
+        assert cut.bound <= whole.cost + 1e-9
+        assert cut.cost >= whole.cost - 1e-9
+
+
+@pytest.mark.parametrize("seed", (2, 5, 8, 10, 12, 13))
+def test_what_is_closed_to_the_master_is_not_entered(seed):
+    """A closed hop moves the departure, or the stops; brute force skips what starts within it."""
+    one = drawn(4000 + seed)
+    road = one.star.road
+    rng = np.random.default_rng(seed)
+    closed = [[] for _ in range(road.hops)]
+    for hop in range(road.hops):
+        begin = int(rng.integers(0, 16))
+        closed[hop] = [(begin, begin + int(rng.integers(2, 5)))]
+    shut = road_of(road.drive_s, road.stay_s, forbidden=closed)
+    one = replace(one, star=replace(one.star, road=shut))
+    open_real = one.real
+
+    def real(member, i, j, table):
+        hours = zip(table.leave_s.tolist(), closed, strict=False)
+        blocked = any(a < at < b for at, some in hours for a, b in some)
+        return None if member == MASTER and blocked else open_real(member, i, j, table)
+
+    one.real = real
+    best, alone = everything(one)
+    found = search_platoon(
+        one.star, open_real, 60, in_time=np.isfinite(alone), extra_stops=6
+    )  # fmt: skip
+    if math.isinf(best):
+        best, _ = everything(one, 1)
+    assert found.proved
+    assert found.cost - one.star.master_alone == pytest.approx(best)
+
+
+def test_breaks_under_american_rules_hold_for_all():
+    """11 h in one day, 8 h without 30 min: one stop, and the members' clocks begin anew there."""
+    hour = 3600
+    rules = VehicleRules(US395, RESTED, 0)
+    late = Span(0, 0, 10 * hour + 1800)
+    star = StarTimes(
+        road=road_of([4 * hour, 1 * hour, 5 * hour], [NO_LIMIT] * 4), node_at=np.array([0, 3]),
+        window=late, rules=rules, approach_s=np.array([[0, NEVER_S]]),
+        onward_s=np.array([[NEVER_S, 0]]), entry=np.array([[0.0, np.inf]]),
+        leave=np.array([[np.inf, 0.0]]), platoon=np.array([[0.0, 9.0]]),
+        length_m=np.array([0.0, 8e5]), alone=np.array([10.0]), alone_s=np.array([10 * hour]),
+        windows=(late,), member_rules=(rules,), relief=0.0, master_alone=10.0, gain=np.zeros(1),
+    )  # fmt: skip
+    nothing = road_of([], [NO_LIMIT])
+    found = search_platoon(star, RoadTrips(star, lambda *_: nothing, lambda *_: nothing), 60)
+    assert (found.cost, found.proved, found.stops) in [
+        (19.0, True, ((1, 1800),)), (19.0, True, ((2, 1800),))
+    ]  # fmt: skip
+    assert found.members[0].trip.arrival_s == 10 * hour + 1800
+    assert [one.purposes for one in found.master_trip.pauses] == [("break",)]
