@@ -469,9 +469,19 @@ def search(
     p = numbers
     left_s = np.zeros(n + 1, np.int64)
     left_clock = np.zeros(n + 1, np.int64)
+    # When each point has to be reached, and the next appointment from it on.
+    due = np.full(n + 1, latest, np.int64)
+    appointment = np.full(n + 1, n, np.int64)
+    if leave_s[n] != FREE:
+        due[n] = min(latest, leave_s[n])
     for k in range(n - 1, -1, -1):
         left_s[k] = left_s[k + 1] + drive_s[k]
         left_clock[k] = left_clock[k + 1] + clock_s[k]
+        due[k] = due[k + 1] - drive_s[k]
+        appointment[k] = appointment[k + 1]
+        if leave_s[k] != FREE:
+            due[k] = min(due[k], leave_s[k])
+            appointment[k] = k
     first = np.zeros(n + 2, np.int64)
     kept = np.zeros((256, COLUMNS), np.int64)
     kept_info = np.zeros((256, INFO), np.int64)
@@ -532,7 +542,7 @@ def search(
                             opens, closes, forced = leave_s[k], leave_s[k], 1
                         if closes < a[TIME]:
                             continue
-                        if opens > latest:
+                        if opens + drive_s[k] > due[k + 1]:
                             continue
                         # Who can rest meanwhile does, unless it left later instead.
                         spare = opens - a[TIME] - p[DAILY]
@@ -559,9 +569,19 @@ def search(
                         found_info[count, CLOSES] = closes
                     if not _drive(out, drive_s[k], clock_s[k], p, monday, weeks, weekly):
                         continue
+                    if out[TIME] > due[k + 1]:
+                        continue
                     bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
                     if out[TIME] + bound > latest:
                         continue
+                    at = appointment[k + 1]
+                    if at < n:
+                        bound = _least_left(
+                            out, left_s[k + 1] - left_s[at], left_clock[k + 1] - left_clock[at],
+                            p, monday, weeks,
+                        )  # fmt: skip
+                        if out[TIME] + bound > leave_s[at]:
+                            continue
                     count += 1
         first[k + 1] = total
         if count == 0:

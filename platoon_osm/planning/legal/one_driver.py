@@ -271,8 +271,8 @@ class _Search:
     ) -> LegalTrip | None:  # fmt: skip
         """Return the best trip that leaves within a span of time."""
         if aim == "arrive":
-            found = self._arrival(state_at_s, earliest_s, latest_s)
-            if found is None or (arrival_s is not None and found > arrival_s):
+            found = self._arrival(state_at_s, earliest_s, latest_s, arrival_s)
+            if found is None:
                 return None
             arrival_s = found
         assert arrival_s is not None
@@ -300,20 +300,25 @@ class _Search:
         found = self.best(state_at_s, earliest_s, latest_s, None, "arrive")
         return None if found is None else found.arrival_s
 
-    def _arrival(self, state_at_s: int | None, earliest_s: int, latest_s: int) -> int | None:
+    def _arrival(
+        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None
+    ) -> int | None:
+        bound = NO_LIMIT if arrival_s is None else arrival_s
         if self.road.hops == 0:
-            return earliest_s if earliest_s <= latest_s else None
+            return earliest_s if earliest_s <= min(latest_s, bound) else None
+        latest_s = min(latest_s, bound - int(self.road.drive_s.sum()))
         start = self._start(state_at_s, earliest_s, latest_s)
-        bound = NO_LIMIT
-        labels, _, first = self._run(start, bound, late=False, width=WIDTH)
-        low, high = int(first[-2]), int(first[-1])
-        if low < high:
-            bound = int(labels[low:high, TIME].min())
-        labels, _, first = self._widest(start, bound, late=False)
-        low, high = int(first[-2]), int(first[-1])
-        if low < high:
-            bound = min(bound, int(labels[low:high, TIME].min()))
-        return bound if bound < NO_LIMIT else None
+        known = False
+        for widest in (False, True):
+            if widest:
+                labels, _, first = self._widest(start, bound, late=False)
+            else:
+                labels, _, first = self._run(start, bound, late=False, width=WIDTH)
+            low, high = int(first[-2]), int(first[-1])
+            if low < high:
+                bound = min(bound, int(labels[low:high, TIME].min()))
+                known = True
+        return bound if known else None
 
     def _widest(
         self, start: Start, arrival_s: int, late: bool
