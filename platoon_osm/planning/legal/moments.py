@@ -76,13 +76,14 @@ def table_of_moments(
     legs: list[list[Span]] = []
     for way, own, one in zip(plan.ways, points, driven, strict=True):
         left = left_at(one)
-        begins = [float(left[point]) for point in own]
-        legs.append(
-            [
-                (begin, begin + plan.stretches[k].drive_s)
-                for k, begin in zip(way, begins, strict=True)
-            ]
-        )
+        spans: list[Span] = []
+        for k, point in zip(way, own, strict=True):
+            # Sums are rounded, not every leg: one may last a little longer than its whole seconds.
+            begin = float(left[point])
+            if spans and 0 < spans[-1][1] - begin < 1:
+                spans[-1] = (spans[-1][0], begin)
+            spans.append((begin, begin + plan.stretches[k].drive_s))
+        legs.append(spans)
     shift = math.floor(min(one.trip.departure_s for one in driven))
     asked = [window.moved(shift) for window in legal.asked]
     vehicles = tuple(
