@@ -89,6 +89,7 @@ class _Search:
     evaluate: Any
     tolerance: float
     free: Free | None = None
+    most_spans: int = 10**9
     heap: list[tuple[tuple[int, ...], float, _Node]] = field(default_factory=list)
     order: Any = field(default_factory=count)
     best: float = np.inf
@@ -202,7 +203,7 @@ class _Search:
         while self.heap:
             if self.heap[0][1] >= self.best - self.tolerance:
                 break
-            if time.perf_counter() > self.deadline:
+            if self.spans > self.most_spans or time.perf_counter() > self.deadline:
                 return False
             node = heapq.heappop(self.heap)[-1]
             if node.cuts < len(self.cuts):
@@ -392,6 +393,7 @@ def search_platoon(
     real: Real | None,
     time_limit_s: float = 10.0,
     *,
+    most_spans: int = 10**9,
     free: Free | None = None,
     in_time: Marks | None = None,
     plain: Marks | None = None,
@@ -409,6 +411,8 @@ def search_platoon(
         trips are asked for.
     time_limit_s : float
         After which the best found is returned, with its bound [s].
+    most_spans : int
+        After so many spans of departures likewise; unlike time, the same on every machine.
     free : callable, optional
         Says whether a member could drive by two nodes whatever the stops are; it saves questions.
     in_time : ndarray of bool, (M,), optional
@@ -447,6 +451,7 @@ def search_platoon(
         search = _Search(
             star, numbers, MasterStops(numbers, most, rests, lengths), real,
             began + time_limit_s, evaluator(members * len(numbers.pos)), SAME * total, free,
+            most_spans,
         )  # fmt: skip
         ended = search.run(begin, end)
         found = _result(search, ended, began)

@@ -6,7 +6,6 @@ can be better. Who is left alone then may form further platoons among themselves
 
 from __future__ import annotations
 
-import time
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -27,11 +26,15 @@ from .star_input import star_way
 
 __all__ = ["Planned", "planned_platoons"]
 
-LIMIT_S = 20.0
-"""How long the search for one master may take [s]; then its best is taken, with a bound."""
+MOST_SPANS = 16_000
+"""Spans of departures that are looked at for all masters together; then the best of each that was
+found is taken, with a bound. It is a count, not a time, lest plans differ between machines."""
 
-ALL_S = 60.0
-"""The same for all masters together [s]."""
+LEAST_SPANS = 500
+"""But no fewer than this for one master."""
+
+LIMIT_S = 60.0
+"""No search for one master lasts longer, on however slow a machine [s]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,17 +124,16 @@ def planned_platoons(legal: LegalQuestion) -> Planned:
     )  # fmt: skip
     if len(everyone) < 2:
         return plan
-    deadline = time.perf_counter() + ALL_S
     free = set(everyone)
     fixed = question.fixed_master
-    first = _best_star(legal, None, everyone if fixed is None else [fixed], deadline, plan)
+    first = _best_star(legal, None, everyone if fixed is None else [fixed], plan)
     if first is None:
         return plan
     plan.master, plan.bound = first.star.master, min(plan.bound or alone, plan.cost)
     several = question.problem.company == "anywhere" and question.problem.case in ("C", "best")
     free -= set(first.joined)
     while several and len(free) > 1:
-        more = _best_star(legal, free, sorted(free), deadline, plan)
+        more = _best_star(legal, free, sorted(free), plan)
         if more is None:
             break
         plan.bound = None
@@ -143,7 +145,6 @@ def _best_star(
     legal: LegalQuestion,
     among: Collection[int] | None,
     masters: Sequence[int],
-    deadline: float,
     plan: Planned,
 ) -> Platooned | None:
     """Find the best star of some vehicles and put it into a plan; None if none is cheaper."""
@@ -156,12 +157,12 @@ def _best_star(
         _stars(legal, sorted(masters, key=order.__getitem__)), key=lambda star: star.bound
     )
     tried = []
-    for number, star in enumerate(stars):
+    most = max(MOST_SPANS // max(len(stars), 1), LEAST_SPANS)
+    for star in stars:
         if star.bound >= least * (1 - NO_CHEAPER):
             bounds.append(star.bound)
             break  # those after it have bounds no better
-        left = (deadline - time.perf_counter()) / (len(stars) - number)
-        found = _timed_star(legal, star, among, min(LIMIT_S, max(left, 1.0)))
+        found = _timed_star(legal, star, among, most)
         bounds.append(found.timing.bound)
         plan.unfinished |= not found.timing.proved
         if np.isfinite(found.timing.cost):
@@ -217,12 +218,14 @@ def _case(legal: LegalQuestion) -> Case:
 
 
 def _timed_star(
-    legal: LegalQuestion, star: Star, among: Collection[int] | None, limit_s: float
+    legal: LegalQuestion, star: Star, among: Collection[int] | None, most_spans: int
 ) -> Platooned:
     own = star_way(legal, star, _case(legal), among)
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
-    timing = search_platoon(own.times, ways.real, limit_s, free=ways.free, plain=open_roads)
+    timing = search_platoon(
+        own.times, ways.real, LIMIT_S, most_spans=most_spans, free=ways.free, plain=open_roads
+    )
     together: list[Sequence[Together]] = [
         () if one.is_alone else ((one.merge, one.separate),) for one in timing.members
     ] or [() for _ in star.members]
