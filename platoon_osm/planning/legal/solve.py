@@ -21,6 +21,7 @@ from ..reasons import reasons_alone
 from .lawful_plan import timed_under_law
 from .legal_question import LegalQuestion
 from .stars import Planned, planned_platoons
+from .what_would_do import what_would_do
 
 __all__ = ["solved_under_law"]
 
@@ -112,3 +113,4 @@ def _late(legal: LegalQuestion, plan: Plan) -> Iterator[str]:
             f"{NOT_LAWFUL}: leave after their latest departure, for they must rest before: "
             f"{listed(held)}"
         )
+    yield from what_would_do(legal)

@@ -171,7 +171,7 @@ def test_when_the_time_is_over_the_bound_holds():
         assert cut.cost >= whole.cost - 1e-9
 
 
-@pytest.mark.parametrize("seed", (2, 5, 8, 10, 12, 13))
+@pytest.mark.parametrize("seed", [2, 5, 8, 10, 12, 13])
 def test_what_is_closed_to_the_master_is_not_entered(seed):
     """A closed hop moves the departure, or the stops; brute force skips what starts within it."""
     one = drawn(4000 + seed)
