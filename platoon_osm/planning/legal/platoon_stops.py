@@ -237,12 +237,10 @@ class MasterStops:
         budget = self.budget(stops, departure)
         at = stops[-1][0] if stops else 0
         rested = sum(length >= v[kernel.REST] for _, length in stops)
-        lengths = {int(v[kernel.BREAK])} | set(self.lengths)
         free, parted, today = clocks
-        if free < parted:
-            lengths.add(int(v[kernel.FIRST]))
-        if parted < FAR:
-            lengths.add(int(v[kernel.SECOND]))
+        # What the master has no use for may be what members need.
+        named = (kernel.BREAK, kernel.FIRST, kernel.SECOND)
+        lengths = {int(v[one]) for one in named} | set(self.lengths)
         if rested < self.rests:
             lengths |= {int(v[kernel.REST]), int(v[kernel.SURE_REST])}
         reach = min(int(v[kernel.SPELL]) - min(free, parted), int(v[kernel.DAY]) - today)
