@@ -155,7 +155,7 @@ def test_a_legal_plan_says_so_and_what_cannot_be_is_told_first() -> None:
             } in status  # fmt: skip
     remark = "not feasible under eu561: A needs 30 min more; give a later arrival"
     told = report_document(replace(plan, remarks=(remark,)), net)
-    assert {"kind": "bad", "text": remark} in told["status"]
+    assert {"kind": "bad", "text": remark.replace("not", "Not", 1)} in told["status"]
     assert remark not in told["provenance"]["remarks"]
 
 

@@ -70,7 +70,8 @@ def status(
     others = [one for one in remarks if one.startswith(NOT_FEASIBLE)]
     for remark in others:
         if not remark.startswith(LATENESS + ":"):
-            yield Status("bad", fitted(in_language(remark)))
+            text = fitted(in_language(remark))
+            yield Status("bad", text[:1].upper() + text[1:])
     if law is not None:
         beyond = list(_beyond(law, called))
         if beyond:
