@@ -9,7 +9,8 @@ BIN := $(VENV)/bin
 ROUNDS ?= 10
 # A browser for each worker; tests of a file stay together, for they share what is dear to make,
 # and files run in the order of tests/conftest.py: long ones first, lest one is waited for at the end.
-WORKERS ?= auto
+# One worker more than processors: tests in a browser wait for it, and others go on meanwhile.
+WORKERS ?= $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))
 STAMP := $(VENV)/.installed
 DEV_STAMP := $(VENV)/.installed-dev
 

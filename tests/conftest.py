@@ -14,8 +14,11 @@ from places import ROOT
 LONG = (
     "test_cli_interrupts.py", "test_cli_no_room.py", "test_examples.py", "test_docs.py",
     "test_italy_map.py", "test_report_boxes.py", "test_figure_layout.py", "test_report_firefox.py",
+    "test_report_security.py", "test_report_many.py", "test_report_groups.py",
+    "test_report_schedule.py", "test_report_page.py", "test_report_theme.py", "test_command.py",
 )  # fmt: skip
-"""Files of few and long tests: begun last, one of them would keep all but one processor idle."""
+"""Files of few and long tests, or of very many: begun last, one of them would keep all but one
+processor idle."""
 
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.register_profile("soak", print_blob=True, deadline=None)

@@ -130,7 +130,8 @@ function arrangeCallouts(cover, reach) {
     // One far outside the view is laid out when the reader gets there.
     if (!crossesBox([at, at], reach)) return;
     const box = element("div", "callout");
-    const head = element("b", "", `${say(`mark-${event.kind}`)}: `);
+    const kind = say(`mark-${event.kind}`);
+    const head = element("b", "", `${kind}: `);
     head.append(element("bdi", "", event.name));
     box.append(head, element("span", "", event.text));
     pane.append(box);
