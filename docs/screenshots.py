@@ -1,4 +1,4 @@
-"""Make the pictures of README and docs: the demo at three widths, a comparison, a page of flows.
+"""Make the pictures of README and docs: the demo at three widths, a comparison, flows, the law.
 
     python docs/screenshots.py out docs/images
 
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 from dataclasses import replace
+from datetime import datetime, timedelta
 from importlib.resources import as_file, files
 from itertools import accumulate, pairwise
 from pathlib import Path
@@ -34,7 +35,7 @@ CITIES = (
 
 
 def write_pages(out: Path) -> None:
-    """Write compare.html and flow.html."""
+    """Write compare.html, flow.html, legal.html and legal-sheet.html."""
     with as_file(files("platoon_osm.scenarios") / "po-valley-c.toml") as path:
         scenario = read_scenario(path)
     net = platoon_osm.load_network("italy-motorways")
@@ -50,10 +51,28 @@ def write_pages(out: Path) -> None:
     platoon_osm.write_comparison(
         plans, net, out / "compare.html", titles=titles, title=scenario.title
     )
+    write_legal_pages(out, net)
     fleet = _fleet(net)
     platoon_osm.write_flows(
         fleet, net, out / "flow.html", title=f"{len(fleet.vehicles)} trucks in Italy"
     )
+
+
+def write_legal_pages(out: Path, net: platoon_osm.RoadNetwork) -> None:
+    """Write the page of a legal day, and the sheet of the driver who rests on the way."""
+    six = datetime.fromisoformat("2026-03-04T06:00+01:00")
+    trips = [
+        platoon_osm.Trip(
+            town, town, "Napoli", six - early, latest_arrival=six + timedelta(hours=13)
+        )
+        for town, early in (
+            ("Milano", timedelta()), ("Torino", timedelta(hours=13)),
+            ("Venezia", timedelta()), ("Brescia", timedelta()),
+        )
+    ]  # fmt: skip
+    plan = platoon_osm.plan_joint(net, platoon_osm.PaperCosts(), trips, rules="eu561")
+    platoon_osm.write_html(plan, net, out / "legal.html")
+    platoon_osm.write_sheets(plan, net, out / "legal-sheet.html")
 
 
 def _variant(scenario: Scenario, xi: float, case: str) -> Scenario:
@@ -154,6 +173,10 @@ def take_pictures(out: Path, images: Path) -> None:
             page.wait_for_timeout(200)
             page.screenshot(path=images / name)
         opened("compare.html", 1440, 900).screenshot(path=images / "compare.png", full_page=True)
+        opened("legal.html", 1440, 900).screenshot(path=images / "legal.png")
+        page = opened("legal-sheet.html", 900, 1180)
+        # The second sheet is Torino's, who sleeps on the way.
+        page.locator("#sheet-2").screenshot(path=images / "legal-sheet.png")
         page = opened("flow.html", 1440, 900)
         page.get_by_role("button", name="Saved").click()
         page.mouse.move(0, 0)

@@ -242,4 +242,5 @@ def test_the_pages_that_pictures_are_taken_of_are_made(tmp_path):
     subprocess.run([sys.executable, "-c", code, tmp_path], cwd=ROOT, check=True, timeout=120)
     flow = (tmp_path / "flow.html").read_text(encoding="utf-8")
     assert "60 trucks in Italy" in flow
-    assert (tmp_path / "compare.html").exists()
+    for name in ("compare", "legal", "legal-sheet"):
+        assert (tmp_path / f"{name}.html").exists()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from ...shown_text import fitted, shortened
 from ..language.speech import day_and_date, say, zone_text
 from ..maps.pause_icons import PAUSE_KINDS
@@ -21,6 +23,9 @@ LONGEST_NAME = 26
 
 FEW_FACES = 8
 """Vehicles that are drawn in the order of driving; of more, their letters are listed."""
+
+LATER_DAY = re.compile(r"([+-]\d+) ")
+"""Of a time of another day; its number stays with its unit."""
 
 MAP_PX = 720.0
 """Width of a map in its own pixels."""
@@ -124,7 +129,7 @@ def _step(journey: Journey, step: Step, words: StepWords, number: int, is_last: 
         "sheet-step",
         {
             "line": "last" if is_last else _line(step.way),
-            "time": words.time or words.km,
+            "time": LATER_DAY.sub("\\1\u00a0", words.time) or words.km,
             "km": words.km if words.time else "",
             "mark": _mark(journey, words.kind),
             "what": words.what,
