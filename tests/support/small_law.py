@@ -80,10 +80,12 @@ def drivable(way, rules, window, slack=0):
                 last = min(late - left[k], window.latest_s if k == 0 else late)
                 moments = range(time, last + 1) if k == 0 or way.stay[k] else [time]
             if way.met and k == way.met[0]:
-                moments = [one for one in moments if one <= way.met[1]]
-            if way.met and k == way.met[2]:
+                moments = [one for one in moments if way.met[1] <= one <= way.met[2]]
+            if way.met and k == way.met[3] and time > way.met[5]:
+                continue
+            if way.met and k == way.met[3]:
                 # Where it may not stand it waits all the same: nobody is ruled out for that.
-                moments = [one for one in (moments or [time]) if one >= way.met[3]] or [way.met[3]]
+                moments = [one for one in (moments or [time]) if one >= way.met[4]] or [way.met[4]]
                 moments = [one for one in moments if one >= time]
             for leaves in moments:
                 counts = NO_LIMIT if k == 0 else way.stay[k]
@@ -153,7 +155,7 @@ class Drawn:
             return LegalTrip(window.earliest_s, window.arrival_s)
         return None
 
-    def free(self, member, i, j, by_s, after_s):
+    def free(self, member, i, j, moments):
         """Whether the member could drive by i and j, with any pauses at the master's places."""
         star = self.star
         low, high = int(star.node_at[i]), int(star.node_at[j])
@@ -166,7 +168,9 @@ class Drawn:
             *before[1][:-1], NO_LIMIT, *own[low + 1 : high],
             max(own[high], after[1][0]), *after[1][1:],
         )  # fmt: skip
-        met = len(before[0]), by_s, len(before[0]) + len(drive), after_s
+        begin, by, after_s, end = moments
+        last = len(before[0]) + len(drive)
+        met = len(before[0]), begin, by, last, after_s, end
         if not after[0] and after_s > window.arrival_s:
             return False
         way = Way(

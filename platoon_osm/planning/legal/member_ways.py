@@ -18,7 +18,7 @@ from ...plans.stretches import Run, runs_alone, runs_along
 from .legal_question import LegalQuestion
 from .one_driver import fastest
 from .platoon_real import met_between
-from .platoon_record import MASTER, Timetable
+from .platoon_record import MASTER, Moments, Timetable
 from .road import FREE, NO_LIMIT, LegalTrip, Road, road_of
 from .star_input import StarWay
 from .star_times import OPEN_S
@@ -173,7 +173,7 @@ class MemberWays:
             return self.master_trip(timetable.leave_s, timetable.slack_s)
         return self.trip(member, [(i, j)], timetable.leave_s, timetable.slack_s)
 
-    def free(self, member: int, i: int, j: int, by_s: int, after_s: int) -> bool:
+    def free(self, member: int, i: int, j: int, moments: Moments) -> bool:
         """Answer the search's question whether a member could drive by two nodes; see `Free`.
 
         Parameters
@@ -182,8 +182,8 @@ class MemberWays:
             The member, as its star numbers it.
         i, j : int
             Nodes of the master's route.
-        by_s, after_s : int
-            When it leaves the one at the latest, and the other at the earliest [s].
+        moments : (int, int, int, int)
+            When it leaves the one, and reaches the other, at the earliest and latest [s].
 
         Returns
         -------
@@ -199,14 +199,12 @@ class MemberWays:
         hops = before.road.hops
         stay = road.stay_s.copy()
         stay[hops] = NO_LIMIT
-        road = met_between(
-            replace(road, stay_s=stay), hops, hops + part.road.hops, by_s, after_s
-        )  # fmt: skip
-        if not after.road.hops and after_s > window.arrival_s:
+        road = met_between(replace(road, stay_s=stay), hops, hops + part.road.hops, moments)
+        if not after.road.hops and moments[2] > window.arrival_s:
             return False
         earliest = window.earliest_s
         if earliest == -OPEN_S:
-            earliest = by_s - int(times.approach_s[member, i]) - BEFORE_S
+            earliest = moments[0] - int(times.approach_s[member, i]) - BEFORE_S
         trip = fastest(
             road, rules.limits, rules.state, rules.state_at_s, earliest,
             None if window.latest_s == OPEN_S else window.latest_s,

@@ -283,7 +283,8 @@ def _cheapest(
     must: Seconds, leave: Floats, own: Floats, alone: float, slack: float, pos: Seconds,
     clock: Seconds, along: Floats,
     stay: Seconds, stop_at: Seconds, stop_s: Seconds, stops: int, open_from: int, rests_open: bool,
-    gone: Seconds, dep: Seconds, arr: Seconds, stop_dep: Seconds, stop_arr: Seconds, sure: bool,
+    gone: Seconds, met: Seconds, dep: Seconds, arr: Seconds, stop_dep: Seconds,
+    stop_arr: Seconds, sure: bool,
     refuted: Seconds, begin: int, end: int, least: Floats, promise: Floats, states: Seconds,
 ) -> tuple[float, int, int]:  # fmt: skip
     """Return what one vehicle pays, and its points."""
@@ -372,8 +373,10 @@ def _cheapest(
                 for code in range(begin, end):
                     if (
                         refuted[code, 0] == i * n + j
-                        and dep[i] <= refuted[code, 1]
-                        and arr[j] >= refuted[code, 2]
+                        and gone[i] >= refuted[code, 1]
+                        and dep[i] <= refuted[code, 2]
+                        and arr[j] >= refuted[code, 3]
+                        and met[j] <= refuted[code, 4]
                     ):
                         known = False
                 if not known:
@@ -436,9 +439,9 @@ def evaluate(
         Whether the value is wanted that is certain; else the least.
     refuted_first : ndarray of int, (R + 1,)
         Where each row's begin in `refuted`.
-    refuted : ndarray of int, (X, 3)
-        Pairs of points, as i * n + j, that are out if the platoon leaves i by a moment and reaches
-        j after another.
+    refuted : ndarray of int, (X, 5)
+        Pairs of points, as i * n + j, that are out if the platoon leaves i and reaches j within
+        some moments.
     floor : ndarray of float, (R,)
         What each vehicle pays at least, as far as is known.
     most : float
@@ -447,7 +450,8 @@ def evaluate(
         To be filled; -1 for who stays alone.
     """
     n = len(pos)
-    dep, arr, gone = np.empty(n, np.int64), np.empty(n, np.int64), np.empty(n, np.int64)
+    dep, arr = np.empty(n, np.int64), np.empty(n, np.int64)
+    gone, met = np.empty(n, np.int64), np.empty(n, np.int64)
     ahead, later = np.zeros(n, np.int64), np.zeros(n, np.int64)
     room = stop_at.shape[1]
     stop_dep, stop_arr = np.empty(room, np.int64), np.empty(room, np.int64)
@@ -480,6 +484,7 @@ def evaluate(
         )  # fmt: skip
         for k in range(n):
             gone[k] = dep[k] - later[k] + ahead[k] + arrives[c] - leaves[c]
+            met[k] = arr[k] - ahead[k] + later[k] + leaves[c] - arrives[c]
         total = known
         for row in range(len(rows)):
             m = rows[row]
@@ -487,7 +492,7 @@ def evaluate(
                 vehicles[m], approach[m], ready[m], entry[m], onward_s[m], must[m], leave[m],
                 platoon[m], alone[m],
                 slack[m], pos, clocks[clock_of[m]], along, stay, stop_at[c], stop_s[c], stops,
-                open_from, rests_open, gone, dep, arr, stop_dep, stop_arr, sure, refuted,
+                open_from, rests_open, gone, met, dep, arr, stop_dep, stop_arr, sure, refuted,
                 refuted_first[row], refuted_first[row + 1], least, promise, states,
             )  # fmt: skip
             total += cost[c, row] - floor[row]

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .one_driver import fastest
-from .platoon_record import MASTER, Timetable
+from .platoon_record import MASTER, Moments, Timetable
 from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
 from .star_times import OPEN_S, StarTimes, VehicleRules
 
@@ -122,7 +122,7 @@ class RoadTrips:
             closed,
         )
 
-    def free(self, member: int, i: int, j: int, by_s: int, after_s: int) -> bool:
+    def free(self, member: int, i: int, j: int, moments: Moments) -> bool:
         """Answer a `Free` question.
 
         Parameters
@@ -131,8 +131,8 @@ class RoadTrips:
             Of the star.
         i, j : int
             Nodes of the master's route where it merges and separates.
-        by_s, after_s : int
-            When it leaves the one at the latest, and reaches the other at the earliest [s].
+        moments : (int, int, int, int)
+            When it leaves the one, and reaches the other [s].
 
         Returns
         -------
@@ -158,12 +158,12 @@ class RoadTrips:
             ],
         )
         window, rules = star.windows[member], star.member_rules[member]
-        if after.hops == 0 and after_s > window.arrival_s:
+        if after.hops == 0 and moments[2] > window.arrival_s:
             return False
-        whole = met_between(whole, before.hops, before.hops + len(shared), by_s, after_s)
+        whole = met_between(whole, before.hops, before.hops + len(shared), moments)
         earliest = window.earliest_s
         if earliest <= -OPEN_S:
-            earliest = by_s - int(before.drive_s.sum()) - BEFORE_S
+            earliest = moments[0] - int(before.drive_s.sum()) - BEFORE_S
         trip = fastest(
             whole, rules.limits, rules.state, rules.state_at_s, earliest,
             None if window.latest_s >= OPEN_S else window.latest_s,
@@ -196,25 +196,30 @@ class RoadTrips:
         return bool(low != high)
 
 
-def met_between(road: Road, first: int, last: int, by_s: int, after_s: int) -> Road:
-    """Return a road of which one hop is started by a moment, and another not before another.
+def met_between(road: Road, first: int, last: int, moments: Moments) -> Road:
+    """Return a road that is left at one point and reached at another within some moments.
 
     Parameters
     ----------
     road : Road
         Any.
     first, last : int
-        The two hops; if there is no such hop as the second, that counts for nothing.
-    by_s, after_s : int
-        The moments [s].
+        The two points.
+    moments : (int, int, int, int)
+        When the one is left at the earliest and latest, and the other reached [s].
 
     Returns
     -------
     Road
-        With more that is closed.
+        With more that is closed. After the second point it goes on no earlier than it is reached.
     """
+    begin, by, after, end = moments
     closed = [road.forbidden(hop) for hop in range(road.hops)]
-    for hop, more in ((first, (by_s, NO_LIMIT)), (last, (-NO_LIMIT, after_s))):
+    ends = end - int(road.drive_s[last - 1])
+    for hop, more in (
+        (first, (-NO_LIMIT, begin)), (first, (by, NO_LIMIT)), (last - 1, (ends, NO_LIMIT)),
+        (last, (-NO_LIMIT, after)),
+    ):  # fmt: skip
         if hop < road.hops:
             own = np.concatenate([closed[hop], np.array([more], np.int64)])
             closed[hop] = _apart(own[np.argsort(own[:, 0], kind="stable")])

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .road import LegalTrip
 from .star_times import StarTimes
 
-__all__ = ["MASTER", "Free", "MemberTiming", "PlatoonTiming", "Real", "Timetable"]
+__all__ = ["MASTER", "Free", "MemberTiming", "Moments", "PlatoonTiming", "Real", "Timetable"]
 
 Seconds = NDArray[np.int64]
 
@@ -86,10 +86,13 @@ law with pauses at real places. With a slack w it says whether it can for a span
 """
 
 
-Free = Callable[[int, int, int, int, int], bool]
-"""Says whether a member could drive by nodes i and j at all if it leaves i by a moment and j after
-another: it may pause at i, and at every place of the master's way, for as long as it likes. It is
-asked with member, i, j and the two moments [s]."""
+Moments = tuple[int, int, int, int]
+"""When i is left at the earliest and latest, and j reached at the earliest and latest [s]."""
+
+Free = Callable[[int, int, int, Moments], bool]
+"""Says whether a member could drive by nodes i and j at all if it leaves i and reaches j within
+some moments: it may pause at i, and at every place of the master's way, for as long as it likes.
+It is asked with member, i, j and the moments."""
 
 
 @dataclass(frozen=True, slots=True)

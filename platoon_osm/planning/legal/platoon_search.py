@@ -95,9 +95,9 @@ class _Search:
     best: float = np.inf
     found: tuple[Stops, int] | None = None
     asked: dict[tuple[Any, ...], LegalTrip | None] = field(default_factory=dict)
-    cuts: list[tuple[int, int, int, int]] = field(default_factory=list)
-    """(row, code) of pairs that are out if the platoon leaves i by a moment and reaches j after
-    another, whatever its stops."""
+    cuts: list[tuple[int, ...]] = field(default_factory=list)
+    """(row, code) of pairs that are out if the platoon leaves i and reaches j within some moments,
+    whatever its stops, and these."""
     failed: dict[tuple[int, int], int] = field(default_factory=dict)
     evaluations: int = 0
     spans: int = 0
@@ -114,18 +114,18 @@ class _Search:
         some = self.numbers
         size = len(tables), len(rows)
         first = np.zeros(len(rows) + 1, np.int64)
-        codes = np.zeros((0, 3), np.int64)
+        codes = np.zeros((0, 5), np.int64)
         if refuted or self.cuts:
-            own: list[list[tuple[int, int, int]]] = [[] for _ in rows]
+            own: list[list[tuple[int, ...]]] = [[] for _ in rows]
             where = {int(row): k for k, row in enumerate(rows)}
             for row, code in refuted:
                 if row in where:
-                    own[where[row]].append((code, FAR, -FAR))
+                    own[where[row]].append((code, -FAR, FAR, -FAR, FAR))
             for row, *cut in self.cuts:
                 if row in where:
-                    own[where[row]].append((cut[0], cut[1], cut[2]))
+                    own[where[row]].append(tuple(cut))
             first[1:] = np.cumsum([len(one) for one in own])
-            codes = np.array([code for one in own for code in one], np.int64).reshape(-1, 3)
+            codes = np.array([code for one in own for code in one], np.int64).reshape(-1, 5)
         room = max(1, max(len(table[0]) for table in tables))
         made = np.zeros((len(tables), room, 2), np.int64)
         for k, table in enumerate(tables):
@@ -317,17 +317,20 @@ class _Search:
         if self.failed[row, code] not in ASKED_AT:
             return False
         at, shift = self.numbers.pos, self.numbers.first_node
-        by = int(Timetable.of(self.star, v, stops).leave_s[at[i]])
-        after = int(Timetable.of(self.star, u, stops).arrive_s[at[j]])
+        early, late = (Timetable.of(self.star, one, stops) for one in (u, v))
+        known = 0
         for more in (0, *LOOSER_S):
-            if self.free(row, i - shift, j - shift, by + more, after - more):
+            moments = (
+                int(early.leave_s[at[i]]) - more, int(late.leave_s[at[i]]) + more,
+                int(early.arrive_s[at[j]]) - more, int(late.arrive_s[at[j]]) + more,
+            )  # fmt: skip
+            if self.free(row, i - shift, j - shift, moments):
                 break
-            if more == 0:
-                self.cuts.append((0, 0, 0, 0))
-            self.cuts[-1] = row, code, by + more, after - more
-        else:
-            return True
-        return bool(more)
+            if known:
+                self.cuts.pop()
+            self.cuts.append((row, code, *moments))
+            known += 1
+        return known > 0
 
     def trip(
         self, row: int, i: int, j: int, stops: Stops, departure: int, slack: int
