@@ -30,6 +30,7 @@ Write = Callable[[Best, Sequence[str]], Plan]
 
 STANDS_FOR_LAW = "which stands for its breaks and rests alone"
 WHOLE_SECONDS = "times in whole seconds"
+MEMBERS = "members pay least in all, and what masters gain is counted then"
 STOPPED = "the search ended before all was compared"
 
 
@@ -80,13 +81,13 @@ def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
     common = (rules, WHOLE_SECONDS, *((WAITING_FREE,) if free else ()))
     if len(question.ends) < 2:
         return Proof.of(answer.cost, answer.cost, common)
-    if planned.bound is None or planned.unfinished:
-        stopped = (STOPPED,) if planned.unfinished else ()
+    stopped = (STOPPED,) if planned.unfinished else ()
+    if planned.bound is None:
         return Proof.of(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
     name = question.ends[answer.master or 0].vehicle
     tried = f"{planned.masters} of {planned.masters} masters tried"
     compared = (tried,) if question.fixed_master is None else ()
-    who = (f"master {name} on its own route, {STANDS_FOR_LAW}", *compared)
+    who = (f"master {name} on its own route, {STANDS_FOR_LAW}", *compared, *stopped, MEMBERS)
     return Proof.of(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
 
 
