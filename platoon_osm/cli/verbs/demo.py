@@ -24,6 +24,9 @@ SCENARIOS = {
 }
 """By map. Case C comes last: its plan is the one that is written."""
 
+LAW = {"italy-motorways": "eu561", "california-corridor": "us395"}
+"""The driving rules that hold there."""
+
 
 @click.command("demo", short_help="plan cases A to D on the bundled map and draw them")
 @click.option(
@@ -35,15 +38,17 @@ SCENARIOS = {
     help="Bundled map to plan on; that of Italy if not given.",
 )  # fmt: skip
 @click.option(
-    "--rules", type=rules_named, metavar="TEXT", default="none",
-    help=f"Driving rules by which breaks and rests are planned: {', '.join(RULES)}.",
+    "--rules", type=rules_named, metavar="TEXT",
+    help=f"Driving rules by which breaks and rests are planned: {', '.join(RULES)}; those that hold "
+    "on the map if not given.",
 )  # fmt: skip
 @language_options
-def verb(output: Output, network: str, rules: str) -> None:
+def verb(output: Output, network: str, rules: str | None) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
 
     With --map california-corridor: three trucks up the I 5 in case C, on a true extract of
-    OpenStreetMap.
+    OpenStreetMap. Breaks and rests are those of the law there: of Regulation (EC) 561/2006, or of
+    49 CFR 395.3; with --rules spread-rest the paper's, with --rules none there are none.
 
     Writes demo.html, a page to open in any browser, and demo.gpkg, for a GIS; both show case C.
     """
@@ -65,7 +70,7 @@ def verb(output: Output, network: str, rules: str) -> None:
             with resources.as_file(folder / f"{name}.toml") as path:
                 scenario = read_scenario(path)
             begin(f"planning {scenario.title}")
-            scenario = replace(scenario, options={**scenario.options, "rules": rules})
+            scenario = replace(scenario, options={**scenario.options, "rules": rules or LAW[network]})
             plans.append((scenario.title, scenario.plan(net)))
         title, plan = plans[-1]
 
