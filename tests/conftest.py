@@ -9,6 +9,7 @@ import os
 import pytest
 from forked_command import Mother
 from hypothesis import settings
+from inspected_plans import inspect_every_plan
 from places import ROOT
 
 LONG = (
@@ -23,6 +24,11 @@ processor idle."""
 settings.register_profile("same", derandomize=True, deadline=None)
 settings.register_profile("soak", print_blob=True, deadline=None)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))
+
+
+def pytest_sessionstart():
+    """Have every plan checked that a test makes, whatever it is made for."""
+    inspect_every_plan()
 
 
 def pytest_collection_modifyitems(items):

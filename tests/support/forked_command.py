@@ -22,6 +22,8 @@ from concurrent.futures import TimeoutError as TooLong
 from pathlib import Path
 from typing import Any
 
+from inspected_plans import inspect_every_plan
+
 HEAVY = (
     "fontTools.subset", "geopandas", "matplotlib.backends.backend_agg",
     "matplotlib.backends.backend_pdf", "matplotlib.backends.backend_svg", "pyarrow", "pyogrio",
@@ -140,6 +142,7 @@ def _serve(line: socket.socket) -> None:
             importlib.import_module(found.name)
     for name in HEAVY:
         importlib.import_module(name)
+    inspect_every_plan()
     gc.freeze()  # so that no fork copies what is imported only to look for rubbish in it
     while True:
         text, files, _, _ = socket.recv_fds(line, 65_536, 2)

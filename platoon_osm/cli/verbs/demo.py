@@ -39,8 +39,8 @@ LAW = {"italy-motorways": "eu561", "california-corridor": "us395"}
 )  # fmt: skip
 @click.option(
     "--rules", type=rules_named, metavar="TEXT",
-    help=f"Driving rules by which breaks and rests are planned: {', '.join(RULES)}; those that hold "
-    "on the map if not given.",
+    help=f"Driving rules by which breaks and rests are planned: {', '.join(RULES)}; those of the "
+    "map's country if not given.",
 )  # fmt: skip
 @language_options
 def verb(output: Output, network: str, rules: str | None) -> None:
@@ -70,7 +70,9 @@ def verb(output: Output, network: str, rules: str | None) -> None:
             with resources.as_file(folder / f"{name}.toml") as path:
                 scenario = read_scenario(path)
             begin(f"planning {scenario.title}")
-            scenario = replace(scenario, options={**scenario.options, "rules": rules or LAW[network]})
+            scenario = replace(
+                scenario, options={**scenario.options, "rules": rules or LAW[network]}
+            )
             plans.append((scenario.title, scenario.plan(net)))
         title, plan = plans[-1]
 

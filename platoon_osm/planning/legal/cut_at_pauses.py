@@ -191,8 +191,7 @@ def _day(one: Driven, legs: Sequence[int], count: int, begins: Sequence[int]) ->
     ]
     return Day(
         stands,
-        # What rests at the origin, or waits there for a new week, leaves no earlier.
-        float(trip.departure_s),
+        float(at + rested_s) if at is not None and rested_s else None,
         tuple(duties),
         tuple(drivers),
     )
