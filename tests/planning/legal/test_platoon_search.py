@@ -10,12 +10,13 @@ from small_law import NO_PARTS, all_stops, drawn
 
 from platoon_osm.driving.state import RESTED
 from platoon_osm.driving.us395 import US395
-from platoon_osm.planning.legal import platoon_search
+from platoon_osm.planning.legal import platoon_spans
 from platoon_osm.planning.legal.platoon_kernel import evaluate
 from platoon_osm.planning.legal.platoon_numbers import numbers_of_star
 from platoon_osm.planning.legal.platoon_real import RoadTrips
 from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
 from platoon_osm.planning.legal.platoon_search import search_platoon
+from platoon_osm.planning.legal.platoon_spans import SpanSearch
 from platoon_osm.planning.legal.platoon_stops import MasterStops
 from platoon_osm.planning.legal.road import NO_LIMIT, road_of
 from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, VehicleRules
@@ -24,8 +25,8 @@ from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, Vehi
 @pytest.fixture(autouse=True)
 def short_spans(monkeypatch):
     """Let spans of a few seconds be split, too, and pairs be ruled out at once."""
-    monkeypatch.setattr(platoon_search, "SPLIT_S", 3)
-    monkeypatch.setattr(platoon_search, "ASKED_AT", range(1, 99))
+    monkeypatch.setattr(platoon_spans, "SPLIT_S", 3)
+    monkeypatch.setattr(platoon_spans, "ASKED_AT", range(1, 99))
 
 
 def pairs_of(star, member):
@@ -156,7 +157,7 @@ def a_search(one, in_time):
     """Return a search that has not begun."""
     numbers = numbers_of_star(one.star, in_time, np.ones(len(in_time), bool), 1)
     stops = MasterStops(numbers, 6, 0)
-    return platoon_search._Search(one.star, numbers, stops, one.real, math.inf, evaluate, 1e-9)
+    return SpanSearch(one.star, numbers, stops, one.real, math.inf, evaluate, 1e-9)
 
 
 def test_when_the_time_is_over_the_bound_holds():
@@ -221,3 +222,32 @@ def test_breaks_under_american_rules_hold_for_all():
     ]  # fmt: skip
     assert found.members[0].trip.arrival_s == 10 * hour + 1800
     assert [one.purposes for one in found.master_trip.pauses] == [("break",)]
+
+
+def test_of_equal_plans_the_plain_one_that_leaves_first_is_taken():
+    """No stop can be left out, and no earlier departure with these stops costs as little."""
+    looked = 0
+    for seed in range(20):
+        one = drawn(5000 + seed)
+        star = one.star
+        alone = [star.alone[k] if one.goes_alone(k) else math.inf for k in range(len(star.alone))]
+        found = search_platoon(one.star, one.real, 60, in_time=np.isfinite(alone), extra_stops=6)
+        if found.timetable is None or math.isinf(found.cost):
+            continue
+
+        def cost(stops, departure, one=one, alone=alone):
+            table = Timetable.of(one.star, departure, stops)
+            late = table.arrive_s[-1] > one.star.window.arrival_s
+            if late or one.real(MASTER, 0, 0, table) is None:
+                return math.inf
+            return sum(cheapest(one, table, alone, k, {}) for k in range(len(alone)))
+
+        pays = found.cost - star.master_alone
+        first, last = star.window.earliest_s, star.window.latest_s
+        assert cost(found.stops, found.departure_s) == pytest.approx(pays)
+        assert all(cost(found.stops, at) > pays + 1e-6 for at in range(first, found.departure_s))
+        for k in range(len(found.stops)):
+            fewer = found.stops[:k] + found.stops[k + 1 :]
+            assert all(cost(fewer, at) > pays + 1e-6 for at in range(first, last + 1))
+            looked += 1
+    assert looked >= 8
