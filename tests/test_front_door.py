@@ -143,7 +143,8 @@ def _places(name: str) -> list[str]:
     """Return where a call writes: GPX tracks into a folder that exists, all others to a file."""
     if not name.startswith("write_"):
         return []
-    return ["." if name == "write_gpx" else f"out-{name}"]
+    kind = ".svg" if name == "write_curve" else ""
+    return ["." if name == "write_gpx" else f"out-{name}{kind}"]
 
 
 def _defaults(made: Any) -> dict[str, Any]:
