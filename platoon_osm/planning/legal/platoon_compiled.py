@@ -1,4 +1,4 @@
-"""The kernel of the platoon's search, compiled where that pays."""
+"""The kernels of the platoon's search, compiled where that pays."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from .platoon_kernel import HELPERS, evaluate
+from .platoon_kernel import HELPERS, evaluate, next_stops
 
-__all__ = ["compile_now", "evaluator", "is_kept"]
+__all__ = ["compile_now", "is_kept", "kernels_for"]
 
 SMALL = 24
 """Members times points up to which an uncompiled search takes less than compiling [1]."""
@@ -18,19 +18,23 @@ SMALL = 24
 _wanted = False
 
 
+Kernels = tuple[Callable[..., Any], Callable[..., Any]]
+"""`platoon_kernel.evaluate` and `next_stops`."""
+
+
 @cache
-def _compiled() -> Callable[..., Any]:
+def _compiled() -> Kernels:
     from numba.extending import register_jitable
 
     from ...search.hierarchy.runtime.jit import compiled
 
     for helper in HELPERS:
         register_jitable(helper)
-    return compiled(evaluate)
+    return compiled(evaluate), compiled(next_stops)
 
 
 def compile_now() -> None:
-    """Have the platoon's kernel compiled from the next call on."""
+    """Have the platoon's kernels compiled from the next call on."""
     global _wanted
     _wanted = True
 
@@ -43,15 +47,15 @@ def is_kept() -> bool:
     bool
         Whether calling it takes no compiling.
     """
-    kernel: Any = _compiled()
+    kernel: Any = _compiled()[0]
     if kernel.signatures or _wanted:
         return True
     index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
     return index is not None and Path(index._index_path).is_file()
 
 
-def evaluator(size: int) -> Callable[..., Any]:
-    """Return the kernel, compiled or not.
+def kernels_for(size: int) -> Kernels:
+    """Return the kernels, compiled or not.
 
     Parameters
     ----------
@@ -60,7 +64,9 @@ def evaluator(size: int) -> Callable[..., Any]:
 
     Returns
     -------
-    callable
-        `platoon_kernel.evaluate`, or the same compiled.
+    evaluate, next_stops : callable
+        Of `platoon_kernel`, or the same compiled.
     """
-    return evaluate if size <= SMALL and not is_kept() else _compiled()
+    if size <= SMALL and not is_kept():
+        return evaluate, next_stops
+    return _compiled()

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import platoon_kernel as kernel
-from .platoon_compiled import evaluator
+from .platoon_compiled import kernels_for
 from .platoon_numbers import numbers_of_star
 from .platoon_record import Free, MemberTiming, PlatoonTiming, Real, Timetable
 from .platoon_spans import SpanSearch, Table
@@ -97,9 +97,10 @@ def search_platoon(
         if more and probe.numbers.vehicles[probe.numbers.master, kernel.REST] >= kernel.FAR:
             break
         total = float(np.abs(star.alone[np.isfinite(star.alone)]).sum()) + 1.0
+        evaluate, next_stops = kernels_for(members * len(numbers.pos))
+        stopping = MasterStops(numbers, most, rests, lengths, next_stops)
         search = SpanSearch(
-            star, numbers, MasterStops(numbers, most, rests, lengths), real,
-            began + time_limit_s, evaluator(members * len(numbers.pos)), SAME * total, free,
+            star, numbers, stopping, real, began + time_limit_s, evaluate, SAME * total, free,
             most_spans,
         )  # fmt: skip
         ended = search.run(begin, end)

@@ -122,6 +122,10 @@ class SpanSearch:
         How often each pair could not be driven.
     evaluations, spans : int
         Values of members computed, and spans of departures looked at.
+    plan : ndarray of int, (4,)
+        As `MasterStops.plan`.
+    least : ndarray of float, (M + 1,)
+        What each vehicle pays at least, whatever the stops and the departure.
     """
 
     star: StarTimes
@@ -143,9 +147,11 @@ class SpanSearch:
     evaluations: int = 0
     spans: int = 0
     plan: Seconds = field(init=False)
+    least: Floats = field(init=False)
 
     def __post_init__(self) -> None:
         self.plan = self.stops.plan
+        self.least = np.zeros(len(self.numbers.alone))
 
     def values(
         self, rows: Seconds, tables: Sequence[Table], sure: bool, refuted: Pairs = (),
@@ -311,13 +317,20 @@ class SpanSearch:
         clocks = self.stops.states((), end)
         if clocks is None or begin > end:
             return True
-        self._push([self.start((), clocks, begin, end)])
+        root = self.start((), clocks, begin, end)
+        self._push([root])
+        # The master stays first.
+        self.least[root.rows] = root.low
+        self.least[self.numbers.master] = -np.inf
         while self.heap:
             if self.heap[0][1] >= self.best - self.tolerance:
                 break
             if self.spans > self.most_spans or time.perf_counter() > self.deadline:
                 return False
             node = heapq.heappop(self.heap)[-1]
+            # Who has come to pay most comes first: so a node that is too dear is soon seen to be.
+            order = np.argsort(self.least[node.rows] - node.low, kind="stable")
+            node.rows, node.low = node.rows[order], node.low[order]
             if node.cuts < len(self.cuts):
                 self._push([node])
             elif node.clocks is None:
@@ -339,16 +352,13 @@ class SpanSearch:
         ways = self.stops
         clocks = node.clocks
         assert clocks is not None
-        at = node.stops[-1][0] if node.stops else 0
         children = self._ended(node, node.stops) if ways.is_end(node.stops, clocks) else []
-        for stop in ways.nexts(node.stops, clocks, node.begin):
+        for stop, after in ways.nexts(node.stops, clocks, node.begin):
             longer = (*node.stops, stop)
-            after = ways.after(clocks, at, stop)
-            if after and ways.can_end(longer, after, ways.budget(longer, node.begin)):
-                if len(longer) == ways.most:
-                    children += self._ended(node, longer)
-                else:
-                    children.append(replace(node, stops=longer, clocks=after))
+            if len(longer) == ways.most:
+                children += self._ended(node, longer)
+            else:
+                children.append(replace(node, stops=longer, clocks=after))
         self._push(children)
 
     def _ended(self, node: SpanNode, stops: Stops) -> list[SpanNode]:

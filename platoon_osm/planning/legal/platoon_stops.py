@@ -8,6 +8,7 @@ time that are left can hold the breaks and rests that the rest of its way takes 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -43,13 +44,19 @@ class MasterStops:
         Daily rests among them at most.
     lengths : tuple of int
         Further lengths of pauses [s].
+    next_stops : callable
+        The kernel, compiled or not.
+    places : ndarray of int
+        Positions where it may stop.
     """
 
     numbers: StarNumbers
     most: int
     rests: int
     lengths: tuple[int, ...] = ()
+    next_stops: Callable[..., int] = kernel.next_stops
     places: Seconds = field(init=False)
+    _lengths: Seconds = field(init=False)
     _row: Seconds = field(init=False)
     _tau: Seconds = field(init=False)
 
@@ -58,6 +65,10 @@ class MasterStops:
         last = len(some.tau) - 1
         self.places = np.flatnonzero(some.stay[1:last] > 0) + 1
         self._row, self._tau = some.vehicles[some.master], some.tau
+        # What the master has no use for may be what members need.
+        named = (kernel.BREAK, kernel.FIRST, kernel.SECOND, kernel.REST, kernel.SURE_REST)
+        lengths = {int(self._row[one]) for one in named} | set(self.lengths)
+        self._lengths = np.array(sorted(one for one in lengths if one < FAR), np.int64)
 
     def states(self, stops: Stops, departure: int) -> Clocks | None:
         """Return the clocks after the last stop; None if that is not legal.
@@ -113,28 +124,6 @@ class MasterStops:
         stood = rests * int(v[kernel.REST]) if rests else 0
         part = int(parted < FAR)
         return stops, rests, stood + int(kernel.breaks_s(v, max(0, breaks - rests), part))
-
-    def can_end(self, stops: Stops, clocks: Clocks, budget: int) -> bool:
-        """Whether what is left to drive can be driven with the stops and the time left.
-
-        Parameters
-        ----------
-        stops : tuple of (int, int)
-            Those decided.
-        clocks : (int, int, int)
-            After the last of them.
-        budget : int
-            How long the master may stand [s].
-
-        Returns
-        -------
-        bool
-            Whether it may be; for certain only if not.
-        """
-        at = stops[-1][0] if stops else 0
-        count, rests, stood = self.left(clocks, int(self._tau[-1] - self._tau[at]))
-        rested = sum(length >= self._row[kernel.REST] for _, length in stops)
-        return count <= self.most - len(stops) and rests <= self.rests - rested and stood <= budget
 
     def is_end(self, stops: Stops, clocks: Clocks) -> bool:
         """Whether no further stop is needed.
@@ -214,7 +203,9 @@ class MasterStops:
             return FAR
         return arrival - departure - int(self._tau[-1]) - sum(length for _, length in stops)
 
-    def nexts(self, stops: Stops, clocks: Clocks, departure: int) -> list[tuple[int, int]]:
+    def nexts(
+        self, stops: Stops, clocks: Clocks, departure: int
+    ) -> list[tuple[tuple[int, int], Clocks]]:
         """Return what the next stop may be.
 
         Parameters
@@ -228,30 +219,18 @@ class MasterStops:
 
         Returns
         -------
-        list of (int, int)
-            Positions and lengths [s].
+        list of ((int, int), (int, int, int))
+            Position and length [s] of those after which the rest of the way can be driven with the
+            stops and the time left, as far as that can be told; and the clocks after them.
         """
-        if len(stops) >= self.most:
+        left = self.most - len(stops)
+        if left <= 0:
             return []
         v, some = self._row, self.numbers
-        budget = self.budget(stops, departure)
-        at = stops[-1][0] if stops else 0
-        rested = sum(length >= v[kernel.REST] for _, length in stops)
-        free, parted, today = clocks
-        # What the master has no use for may be what members need.
-        named = (kernel.BREAK, kernel.FIRST, kernel.SECOND)
-        lengths = {int(v[one]) for one in named} | set(self.lengths)
-        if rested < self.rests:
-            lengths |= {int(v[kernel.REST]), int(v[kernel.SURE_REST])}
-        reach = min(int(v[kernel.SPELL]) - min(free, parted), int(v[kernel.DAY]) - today)
-        found = []
-        for place in self.places[np.searchsorted(self.places, at, "right") :].tolist():
-            if self._tau[place] - self._tau[at] > reach:
-                break
-            for length in sorted(lengths):
-                if length >= FAR or length > some.stay[place] or length > budget:
-                    continue
-                if length >= v[kernel.REST] and rested >= self.rests:
-                    continue
-                found.append((place, length))
-        return found
+        rests = self.rests - sum(length >= v[kernel.REST] for _, length in stops)
+        found = np.empty((len(self.places) * len(self._lengths), 5), np.int64)
+        count = self.next_stops(
+            v, self.places, self._tau, some.stay, self._lengths, stops[-1][0] if stops else 0,
+            np.array(clocks, np.int64), left, rests, self.budget(stops, departure), found,
+        )  # fmt: skip
+        return [((a, b), (c, d, e)) for a, b, c, d, e in found[:count].tolist()]
