@@ -290,7 +290,7 @@ class _Search:
         order = np.lexsort((ends[:, GONE], -leaves))
         for label in order:
             choice = chosen(labels, info, low + int(label), self.road.hops, arrival_s)
-            trip = timed(self.road, choice, self.numbers, arrival_s, aim == "leave", not self.weeks)
+            trip = timed(self.road, choice, self.numbers, arrival_s, aim == "leave")
             if trip is not None:
                 return trip
         return None

@@ -1,8 +1,8 @@
 """The moments of a trip whose pauses are chosen: as late as possible, then as early as that allows.
 
 Backwards from the arrival each point is left as late as its windows and the pauses allow. Forwards
-from the departure, pauses that count for something are prolonged up to that, and nothing else is:
-so the vehicle leaves late, rests long, and does not stand where standing is worth nothing.
+from the departure, rests are prolonged up to that, so that duty periods begin late. Breaks are not:
+a wait that is left is where it has to be, for a longer break would make the duty period longer.
 """
 
 from __future__ import annotations
@@ -28,7 +28,6 @@ from .numbers import (
     CHANGE_IN_BREAK,
     DAILY,
     FIRST,
-    NONE,
     PIECE,
     REDUCED,
     SECOND,
@@ -107,7 +106,7 @@ def chosen(labels: IntArray, info: IntArray, label: int, hops: int, arrival_s: i
 
 
 def timed(
-    road: Road, choice: Choice, numbers: IntArray, arrival_s: int, shortest: bool, prolong: bool
+    road: Road, choice: Choice, numbers: IntArray, arrival_s: int, shortest: bool
 ) -> LegalTrip | None:
     """Return the trip that arrives by a moment and leaves as late as possible.
 
@@ -123,8 +122,6 @@ def timed(
         When it has to arrive [s].
     shortest : bool
         Whether it arrives earlier if that is possible with the same departure.
-    prolong : bool
-        Whether breaks are prolonged too, and not only rests.
 
     Returns
     -------
@@ -151,7 +148,7 @@ def timed(
     for hop in range(1, n):
         kind = int(choice.kinds[hop])
         leave = max(at + int(lengths[hop]), int(choice.opens_s[hop]))
-        if kind in RESTS or (kind != NONE and prolong):
+        if kind in RESTS:
             last = min(int(latest[hop]), int(choice.rested_s[hop]))
             leave = max(leave, min(last, at + int(road.stay_s[hop])))
         if leave > choice.closes_s[hop]:
