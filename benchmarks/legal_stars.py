@@ -93,7 +93,7 @@ def made_star(
         platoon=np.array([(1 - SAVED) * (tau - tau[0]) / MINUTE] * members),
         length_m=tau * KMH / 3.6, alone=drives / MINUTE, alone_s=drives, windows=windows,
         member_rules=rules, relief=relief, master_alone=total / MINUTE,
-        gain=np.zeros(len(tau) - 1),
+        gain=np.zeros(len(tau) - 1), monday_s=-48 * HOUR,
     )  # fmt: skip
 
 

@@ -311,10 +311,15 @@ def _cheapest(
         if j < n - 1:
             # It leaves its origin with the platoon if that is the point.
             promise[j] = np.inf
-            if ready[j] <= dep[j] and (approach[j] > 0 or gone[j] <= v[LATEST]):
+            away = approach[j] if sure else 0  # without a pause, if it is to be certain
+            if (
+                ready[j] <= dep[j] and (approach[j] > 0 or gone[j] <= v[LATEST])
+                and away <= v[SPELL]
+            ):  # fmt: skip
                 promise[j] = entry[j] - own[j] + least[j + 1]
         least[j] = least[j + 1]
-        if own[j] + leave[j] < least[j] and arr[j] <= must[j]:
+        away = onward_s[j] if sure else 0
+        if own[j] + leave[j] < least[j] and arr[j] <= must[j] and away <= v[SPELL]:
             least[j] = own[j] + leave[j]
     while True:
         i = 0

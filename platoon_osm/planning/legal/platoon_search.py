@@ -21,7 +21,7 @@ from . import platoon_kernel as kernel
 from .platoon_compiled import kernels_for
 from .platoon_numbers import numbers_of_star
 from .platoon_record import Free, MemberTiming, PlatoonTiming, Real, Timetable
-from .platoon_spans import SpanSearch, Table
+from .platoon_spans import SpanSearch
 from .platoon_stops import MasterStops, Stops
 from .platoon_ties import simplest
 from .star_times import OPEN_S, StarTimes
@@ -164,35 +164,16 @@ def _result(search: SpanSearch, ended: bool, began: float) -> PlatoonTiming:
 
 
 def _choices(search: SpanSearch, stops: Stops, departure: int) -> list[MemberTiming] | None:
-    """Return what members do at a departure, with real trips; None if the master cannot."""
-    some = search.numbers
-    master = np.array([some.master])
-    table: Table = (stops, None, departure, departure)
-    low, _, _ = search.values(master, [table], False)
-    if np.isinf(low).any() or (
-        search.real is not None
-        and search.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0) is None
-    ):
+    """Return what members do at a departure; None if the master cannot leave then."""
+    chosen = search.choices(stops, departure)
+    if chosen is None:
         return None
-    rows = np.arange(some.master)
-    refuted: list[tuple[int, int]] = []
-    chosen: dict[int, MemberTiming] = {}
-    while len(rows):
-        cost, i, j = (one[0] for one in search.values(rows, [table], False, tuple(refuted)))
-        left = []
-        for k, row in enumerate(rows.tolist()):
-            if i[k] < 0:
-                able = cost[k] < some.penalty
-                pays = float(search.star.alone[row]) if able else np.inf
-                chosen[row] = MemberTiming(pays, possible=bool(able))
-                continue
-            trip = search.trip(row, int(i[k]), int(j[k]), stops, departure, 0)
-            if trip is None and search.real is not None:
-                refuted.append((row, int(i[k]) * len(some.pos) + int(j[k])))
-                left.append(row)
-            else:
-                shift = some.first_node
-                nodes = int(i[k]) - shift, int(j[k]) - shift
-                chosen[row] = MemberTiming(float(cost[k]), *nodes, trip)
-        rows = np.array(left, np.int64)
-    return [chosen[row] for row in range(some.master)]
+    shift, penalty = search.numbers.first_node, search.numbers.penalty
+    found = []
+    for alone, (cost, i, j, trip) in zip(search.star.alone.tolist(), chosen, strict=True):
+        if i >= 0:
+            found.append(MemberTiming(cost, i - shift, j - shift, trip))
+        else:
+            able = cost < penalty
+            found.append(MemberTiming(alone if able else np.inf, possible=able))
+    return found

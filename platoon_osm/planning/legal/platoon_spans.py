@@ -26,13 +26,16 @@ from .platoon_stops import Clocks, MasterStops, Stops
 from .road import LegalTrip
 from .star_times import StarTimes
 
-__all__ = ["SpanNode", "SpanSearch", "Table"]
+__all__ = ["Choice", "SpanNode", "SpanSearch", "Table"]
 
 Floats = NDArray[np.float64]
 Seconds = NDArray[np.int64]
 FAR = kernel.FAR
 Pairs = tuple[tuple[int, int], ...]
 """(row, code) of pairs that are out."""
+
+Choice = tuple[float, int, int, LegalTrip | None]
+"""What a member pays, the points where it merges and separates (-1 if it stays alone), its trip."""
 
 Table = tuple[Stops, Clocks | None, int, int]
 """Stops, the clocks after them if others may follow, and the departure as it counts for merging and
@@ -120,6 +123,8 @@ class SpanSearch:
         whatever its stops, and these moments.
     failed : dict
         How often each pair could not be driven.
+    tried : int
+        Nodes with all their stops that were looked at.
     evaluations, spans : int
         Values of members computed, and spans of departures looked at.
     plan : ndarray of int, (4,)
@@ -144,6 +149,7 @@ class SpanSearch:
     asked: dict[tuple[Any, ...], LegalTrip | None] = field(default_factory=dict)
     cuts: list[tuple[int, ...]] = field(default_factory=list)
     failed: dict[tuple[int, int], int] = field(default_factory=dict)
+    tried: int = 0
     evaluations: int = 0
     spans: int = 0
     plan: Seconds = field(init=False)
@@ -334,6 +340,7 @@ class SpanSearch:
             if node.cuts < len(self.cuts):
                 self._push([node])
             elif node.clocks is None:
+                self._try(node)
                 self._push(self.settled(node))
             elif node.end - node.begin >= SPLIT_S:
                 halves = []
@@ -346,6 +353,58 @@ class SpanSearch:
                 self._branch(node)
         self.heap.clear()
         return True
+
+    def _try(self, node: SpanNode) -> None:
+        """See what the first departure of a node costs, now and then."""
+        self.tried += 1
+        if self.real is None or self.tried & (self.tried - 1):
+            return
+        chosen = self.choices(node.stops, node.begin)
+        if chosen is None:
+            return
+        total = sum(one[0] for one in chosen)
+        if total < self.best:
+            self.best, self.found = total, (node.stops, node.begin)
+
+    def choices(self, stops: Stops, departure: int) -> list[Choice] | None:
+        """Return what members do at a departure, the cheapest that can really be driven.
+
+        Parameters
+        ----------
+        stops : tuple of (int, int)
+            The master's.
+        departure : int
+            When it leaves [s].
+
+        Returns
+        -------
+        list of Choice, (M,), or None
+            None if the master cannot drive like that.
+        """
+        some = self.numbers
+        table: Table = (stops, None, departure, departure)
+        low, _, _ = self.values(np.array([some.master]), [table], False)
+        if np.isinf(low).any() or (
+            self.real is not None
+            and self.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0) is None
+        ):
+            return None
+        rows = np.arange(some.master)
+        refuted: list[tuple[int, int]] = []
+        chosen: dict[int, Choice] = {}
+        while len(rows):
+            cost, i, j = (one[0] for one in self.values(rows, [table], False, tuple(refuted)))
+            left = []
+            for k, row in enumerate(rows.tolist()):
+                a, b = int(i[k]), int(j[k])
+                trip = None if a < 0 else self.trip(row, a, b, stops, departure, 0)
+                if a < 0 or self.real is None or trip is not None:
+                    chosen[row] = float(cost[k]), a, b, trip
+                else:
+                    refuted.append((row, a * len(some.pos) + b))
+                    left.append(row)
+            rows = np.array(left, np.int64)
+        return [chosen[row] for row in range(some.master)]
 
     def _branch(self, node: SpanNode) -> None:
         """Decide the next stop, or that there is none."""
