@@ -9,7 +9,7 @@ from ...plans.clock import duration
 from ..document.model import Document
 from ..drawing.crowd import MOST_SPOKEN
 from ..drawing.lines import Point
-from ..drawing.palette import LATE, MUTED, TICK
+from ..drawing.palette import CASING, INK, LATE, MUTED, REST, TICK
 from ..language.speech import say
 from ..maps.pause_icons import NOUNS
 from ..markup.fragments import NOTHING, Piece, Tree
@@ -22,10 +22,10 @@ __all__ = ["time_distance_chart"]
 
 FILLS = {
     "wait": "url(#hatch)",
-    "break": "#fff",
-    "rest": "#4d5560",
+    "break": CASING,
+    "rest": REST,
     "ban": "url(#stripes)",
-    "change": "#17202b",
+    "change": INK,
 }
 """What fills the box of each kind of standing."""
 

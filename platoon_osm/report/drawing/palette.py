@@ -19,6 +19,7 @@ __all__ = [
     "PAPER",
     "PLATOON",
     "PLATOON_CASING",
+    "REST",
     "TICK",
     "TRAFFIC",
     "VEHICLES",
@@ -49,6 +50,9 @@ GAIN = "#0072b2"
 
 CROWD = "#4d5560"
 """Stands for many vehicles at once."""
+
+REST = CROWD
+"""A night's rest in a diagram."""
 
 FLOWS = ("#8fb8de", "#5b97cf", "#2f74b5", "#14528c", "#0a3157")
 """From few vehicles to many: one hue, so that it reads in grey too."""
