@@ -155,6 +155,39 @@ class Drawn:
             return LegalTrip(window.earliest_s, window.arrival_s)
         return None
 
+    def trip(self, member, stretches, table):
+        """Whether a member can drive several stretches with the master, alone between them."""
+        star = self.star
+        own = star.road.stay_s.tolist()
+        stops = dict(table.stops)
+        before = self.approach[member][stretches[0][0]]
+        after = self.onward[member][stretches[-1][1]]
+        drive, clock = [*before[0]], [*before[0]]
+        stay, leave = [*before[1]], [None] * len(before[0])
+        last = None
+        for i, j in stretches:
+            low, high = int(star.node_at[i]), int(star.node_at[j])
+            for k in range(low if last is None else last, high):
+                alone = k < low
+                hop = int(star.road.drive_s[k])
+                drive.append(hop)
+                clock.append(hop if alone else int(np.ceil(hop * (1 - star.relief))))
+                stay[-1] = max(stay[-1], own[k] if alone or k == low or k in stops else 0)
+                if last is not None and k == last:
+                    stay[-1] = own[k]
+                leave.append(None if alone else int(table.leave_s[k]))
+                stay.append(0)
+            last = high
+        stay[-1] = max(own[last], after[1][0])
+        way = Way(
+            (*drive, *after[0]), (*clock, *after[0]), (*stay, *after[1][1:]),
+            (*leave, *[None] * (len(after[0]) + 1)),
+        )  # fmt: skip
+        window = star.windows[member]
+        if drivable(way, star.member_rules[member], window):
+            return LegalTrip(window.earliest_s, window.arrival_s)
+        return None
+
     def free(self, member, i, j, moments):
         """Whether the member could drive by i and j, with any pauses at the master's places."""
         star = self.star
@@ -193,15 +226,17 @@ def cut(rng, seconds, everywhere):
     return tuple(hops), tuple(stay)
 
 
-def drawn(seed, *, members=2, everywhere=False, limits=SMALL, relief=0.0, night=False):
+def drawn(seed, *, members=2, everywhere=False, limits=SMALL, relief=0.0, night=False, wide=False):
     """Draw a star."""
     rng = np.random.default_rng(seed)
-    hops = int(rng.integers(4, 7))
+    hops = int(rng.integers(5, 8)) if wide else int(rng.integers(4, 7))
     drive = rng.integers(2, 6, hops) if night else rng.integers(1, 4, hops)
     stay = np.where(rng.random(hops + 1) < 0.7, NO_LIMIT, 0)
     if night and not stay[1:-1].any():
         stay[len(stay) // 2] = NO_LIMIT
     node_at = np.flatnonzero(rng.random(hops + 1) < 0.7)
+    if wide:
+        node_at = np.arange(hops + 1)
     if len(node_at) < 2:
         node_at = np.array([0, hops])
     total = int(drive.sum())
@@ -216,10 +251,17 @@ def drawn(seed, *, members=2, everywhere=False, limits=SMALL, relief=0.0, night=
     approach = np.where(closed, NEVER_S, approach)
     entry = np.where(closed, np.inf, approach * rng.uniform(0.4, 1.1, shape))
     leave = onward * rng.uniform(0.4, 1.1, shape)
+    if wide:
+        # Company is worth having over the whole route, if a driver's clock allows.
+        approach, onward = approach % 3, onward % 3
+        entry, leave = approach * 1.0, onward * 1.0
+        entry[:, 2:], leave[:, :-2] = np.inf, np.inf
 
     def state():
         today = int(rng.integers(0, 6)) if rng.random() < 0.6 else 0
         broken = min(today, int(rng.integers(0, 5)))
+        if wide:
+            today = broken = int(rng.integers(1, 6))
         duty = None if today == 0 and rng.random() < 0.5 else today + int(rng.integers(0, 5))
         return DriverState(
             driven_since_break_s=broken, first_part_taken=bool(broken and rng.random() < 0.4),
@@ -230,7 +272,7 @@ def drawn(seed, *, members=2, everywhere=False, limits=SMALL, relief=0.0, night=
     windows = []
     for k in range(members):
         begin = int(rng.integers(-4, 10))
-        lasts = int(alone_s[k]) + int(rng.integers(0, 16))
+        lasts = int(alone_s[k]) + int(rng.integers(0, 16)) + (12 if wide else 0)
         latest = begin + int(rng.integers(0, 12))
         windows.append(Span(begin, latest, begin + lasts))
     rules = [VehicleRules(limits, state(), one.earliest_s) for one in windows]

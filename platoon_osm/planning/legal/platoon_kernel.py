@@ -118,10 +118,27 @@ def paused(v: Seconds, free: int, parted: int, pause: int) -> tuple[int, int]:
     return free, after
 
 
-def _onward(
+def onward_at(
     v: Seconds, free: int, parted: int, today: int, duty: int, at: int, drive_s: int
 ) -> int:
-    """Return when a vehicle arrives at the earliest that drives on, with pauses anywhere."""
+    """Return when a vehicle arrives at the earliest that drives on, with pauses anywhere.
+
+    Parameters
+    ----------
+    v : ndarray of int, (NUMBERS,)
+        What is known of the vehicle.
+    free, parted, today : int
+        What it has driven since its last break, likewise with the first part, and today [s].
+    duty, at : int
+        When its duty began, and when it drives on [s].
+    drive_s : int
+        For how long [s].
+
+    Returns
+    -------
+    int
+        A moment [s]; `FAR` if never.
+    """
     best = FAR
     for part in range(2):
         driven = parted if part == 1 else free
@@ -412,7 +429,7 @@ def _cheapest(
                         if min(a, b) + drive > v[SPELL] or t + drive > day or ends - s > window:
                             ends = FAR
                     else:
-                        ends = _onward(v, a, b, t, s, arr[j] + wait, drive)
+                        ends = onward_at(v, a, b, t, s, arr[j] + wait, drive)
                     if ends <= last:
                         best, best_i, best_j, longest = min(best, total), i, j, together
                         break
@@ -580,6 +597,6 @@ def next_stops(
 
 
 HELPERS = (
-    needed, breaks_s, paused, _onward, entry_states, _timetable, _openings, _cheapest,
+    needed, breaks_s, paused, onward_at, entry_states, _timetable, _openings, _cheapest,
 )  # fmt: skip
 """What the kernel calls, callees first: to be made known to the compiler before it."""

@@ -109,6 +109,8 @@ class MemberTiming:
         When, on its joint way; None if it drives alone.
     possible : bool
         Whether it is in time and within the law at all, alone or in company.
+    stretches : tuple of (int, int)
+        Where it drives with the master: one from `merge` to `separate`, or two if it joins again.
     """
 
     cost: float
@@ -116,6 +118,11 @@ class MemberTiming:
     separate: int = -1
     trip: LegalTrip | None = None
     possible: bool = True
+    stretches: tuple[tuple[int, int], ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.merge >= 0 and not self.stretches:
+            object.__setattr__(self, "stretches", ((self.merge, self.separate),))
 
     @property
     def is_alone(self) -> bool:
@@ -144,6 +151,8 @@ class PlatoonTiming:
         How each member drives.
     alone_cost : float
         What all would pay alone.
+    again_complete : bool
+        Whether all ways in which members could join again were compared, if they may.
     evaluations : int
         Values of members computed.
     asked : int
@@ -161,6 +170,7 @@ class PlatoonTiming:
     master_trip: LegalTrip | None
     members: tuple[MemberTiming, ...] = ()
     alone_cost: float = float("nan")
+    again_complete: bool = True
     evaluations: int = 0
     asked: int = 0
     spans: int = 0

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import platoon_kernel as kernel
+from .platoon_again import Again, joined_again
 from .platoon_compiled import kernels_for
 from .platoon_numbers import numbers_of_star
 from .platoon_record import Free, MemberTiming, PlatoonTiming, Real, Timetable
@@ -44,6 +45,7 @@ def search_platoon(
     *,
     most_spans: int = 10**9,
     free: Free | None = None,
+    again: Again | None = None,
     in_time: Marks | None = None,
     plain: Marks | None = None,
     extra_stops: int = 1,
@@ -64,6 +66,8 @@ def search_platoon(
         After so many spans of departures likewise; unlike time, the same on every machine.
     free : callable, optional
         Says whether a member could drive by two nodes whatever the stops are; it saves questions.
+    again : Again, optional
+        If given, members may join again after they stopped alone, with the timetable that is found.
     in_time : ndarray of bool, (M,), optional
         Which members may go alone: in time and within the law; by default those whose cost alone is
         finite.
@@ -104,7 +108,7 @@ def search_platoon(
             most_spans,
         )  # fmt: skip
         ended = search.run(begin, end)
-        found = _result(search, ended, began)
+        found = _result(search, ended, began, again)
         if found.timetable is not None or not ended:
             break
     return found
@@ -131,7 +135,7 @@ def _departures(star: StarTimes) -> tuple[int, int]:
     return first, last
 
 
-def _result(search: SpanSearch, ended: bool, began: float) -> PlatoonTiming:
+def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) -> PlatoonTiming:
     star, some = search.star, search.numbers
     alone = float(star.alone.sum()) + star.master_alone
     bound = min([search.best, *(entry[1] for entry in search.heap)])
@@ -147,18 +151,21 @@ def _result(search: SpanSearch, ended: bool, began: float) -> PlatoonTiming:
     if search.found is None or chosen is None:
         return PlatoonTiming(
             np.inf, bound + star.master_alone - float(np.maximum(star.gain, 0).sum()),
-            ended, None, None, (), alone, *counts, time.perf_counter() - began,
+            ended, None, None, (), alone, True, *counts, time.perf_counter() - began,
         )  # fmt: skip
-    met = np.zeros(len(star.gain), bool)
-    for one in chosen:
-        met[max(one.merge, 0) : max(one.separate, 0)] |= not one.is_alone
     pays = sum(one.cost if one.possible else some.penalty for one in chosen)
     short = max(0.0, pays - bound) if not ended else 0.0
+    table, complete = Timetable.of(star, departure, stops), True
+    if again is not None:
+        chosen, complete = joined_again(some, table, chosen, again)
+    met = np.zeros(len(star.gain), bool)
+    for one in chosen:
+        for i, j in one.stretches:
+            met[i:j] = True
     cost = sum(one.cost for one in chosen) + star.master_alone - float(star.gain[met].sum())
-    table = Timetable.of(star, departure, stops)
     trip = search.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0)
     return PlatoonTiming(
-        cost, cost - short, ended, table, trip, tuple(chosen), alone, *counts,
+        cost, cost - short, ended, table, trip, tuple(chosen), alone, complete, *counts,
         time.perf_counter() - began,
     )  # fmt: skip
 

@@ -11,11 +11,12 @@ from small_law import NO_PARTS, all_stops, drawn
 from platoon_osm.driving.state import RESTED
 from platoon_osm.driving.us395 import US395
 from platoon_osm.planning.legal import platoon_spans
+from platoon_osm.planning.legal.platoon_again import Again, joined_again
 from platoon_osm.planning.legal.platoon_kernel import evaluate
 from platoon_osm.planning.legal.platoon_numbers import numbers_of_star
 from platoon_osm.planning.legal.platoon_real import RoadTrips
 from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
-from platoon_osm.planning.legal.platoon_search import search_platoon
+from platoon_osm.planning.legal.platoon_search import _choices, search_platoon
 from platoon_osm.planning.legal.platoon_spans import SpanSearch
 from platoon_osm.planning.legal.platoon_stops import MasterStops
 from platoon_osm.planning.legal.road import NO_LIMIT, road_of
@@ -251,3 +252,44 @@ def test_of_equal_plans_the_plain_one_that_leaves_first_is_taken():
             assert all(cost(fewer, at) > pays + 1e-6 for at in range(first, last + 1))
             looked += 1
     assert looked >= 8
+
+
+def test_who_stops_alone_joins_again_where_that_is_cheaper():
+    """All pairs of stretches with real trips, for timetables of the master that are drawn."""
+    better = 0
+    for seed in range(20):
+        one = drawn(7000 + seed, members=3, wide=True)
+        star = one.star
+        alone = np.array([one.goes_alone(k) for k in range(3)])
+        search = a_search(one, alone)
+        search.stops = MasterStops(search.numbers, 9, 0)
+        search.plan = search.stops.plan
+        legal = [
+            (stops, departure)
+            for stops in all_stops(star, 0)
+            for departure in range(star.window.earliest_s, star.window.latest_s + 1)
+            if one.real(MASTER, 0, 0, Timetable.of(star, departure, stops)) is not None
+        ]
+        along = np.concatenate([[0], np.cumsum(star.road.drive_s)])[star.node_at] * 0.7
+        again = Again(np.array([along - along[0]] * 3), one.trip)
+        for at in np.random.default_rng(seed).permutation(len(legal))[:3].tolist():
+            stops, departure = legal[at]
+            members = _choices(search, stops, departure)
+            table = Timetable.of(star, departure, stops)
+            found, complete = joined_again(search.numbers, table, members, again)
+            assert complete
+            for k, (once, twice) in enumerate(zip(members, found, strict=True)):
+                assert twice.cost == pytest.approx(least_in_two(one, table, along, k, once.cost))
+                better += len(twice.stretches) == 2
+    assert better >= 3
+
+
+def least_in_two(one, table, along, member, best):
+    """Return the least cost of a member that may drive two stretches, or pay what is given."""
+    star = one.star
+    entry, leave, own = star.entry[member], star.leave[member], star.platoon[member]
+    for i, j, a, b in itertools.combinations(range(len(star.node_at)), 4):
+        cost = entry[i] + own[j] - own[i] + along[a] - along[j] + own[b] - own[a] + leave[b]
+        if cost < best - 1e-9 and one.trip(member, [(i, j), (a, b)], table):
+            best = cost
+    return best
