@@ -13,7 +13,7 @@ from ...plans.text_table import listed
 from ...plans.timetable import LATE_S
 from ...vehicles.profile import Vehicle
 from ..answers import Answer
-from ..best import ANY_WAY, WAITING_FREE, Best
+from ..best import ANY_WAY, ONE_STRETCH, WAITING_FREE, Best
 from ..company.bound import least_total
 from ..company.draft import Draft
 from ..question import Question
@@ -87,7 +87,8 @@ def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
     name = question.ends[answer.master or 0].vehicle
     tried = f"{planned.masters} of {planned.masters} masters tried"
     compared = (tried,) if question.fixed_master is None else ()
-    who = (f"master {name} on its own route, {STANDS_FOR_LAW}", *compared, *stopped, MEMBERS)
+    kept = f"master {name} on its own route, {STANDS_FOR_LAW}"
+    who = (kept, *compared, *stopped, ONE_STRETCH, MEMBERS)
     return Proof.of(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
 
 

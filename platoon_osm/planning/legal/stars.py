@@ -14,14 +14,16 @@ import numpy as np
 from ...plans.records import MasterTried
 from ...plans.stretches import Run, runs_alone
 from ..answers import of_pair
-from ..cases import Case
+from ..cases import Case, running_sum
 from ..company.draft import NO_CHEAPER
 from ..star import Star
 from .cut_at_pauses import Driven
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays, Together
-from .platoon_record import PlatoonTiming
+from .platoon_again import Again
+from .platoon_record import PlatoonTiming, Timetable
 from .platoon_search import search_platoon
+from .road import LegalTrip
 from .star_input import star_way
 
 __all__ = ["Planned", "planned_platoons"]
@@ -224,12 +226,25 @@ def _timed_star(
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
     timing = search_platoon(
-        own.times, ways.real, LIMIT_S, most_spans=most_spans, free=ways.free, plain=open_roads
-    )
-    together: list[Sequence[Together]] = [
-        () if one.is_alone else ((one.merge, one.separate),) for one in timing.members
-    ] or [() for _ in star.members]
+        own.times, ways.real, LIMIT_S, most_spans=most_spans, free=ways.free, plain=open_roads,
+        again=_again(legal, ways) if _case(legal) == "C" else None,
+    )  # fmt: skip
+    together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
+        () for _ in star.members
+    ]
     return Platooned(star, timing, ways, together)
+
+
+def _again(legal: LegalQuestion, ways: MemberWays) -> Again:
+    """Return what it takes for members that stopped alone to join again."""
+    star, fleet = ways.own.star, legal.question.fleet
+    solo_along = [running_sum(fleet.alone(member)[star.route]) for member in star.members]
+
+    def trip(row: int, together: Sequence[Together], timetable: Timetable) -> LegalTrip | None:
+        return ways.trip(row, together, timetable.leave_s, timetable.slack_s)
+
+    shape = len(star.members), len(star.route) + 1
+    return Again(np.array(solo_along).reshape(shape), trip)
 
 
 def _allowed(legal: LegalQuestion, found: Platooned) -> bool:
