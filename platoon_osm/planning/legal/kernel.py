@@ -11,10 +11,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
-from ...search.hierarchy.runtime.jit import compiled
+from ...search.hierarchy.runtime.jit import compiled, lies_in_cache
 from .label_search import HELPERS, search
 
 __all__ = ["compile_now", "is_kept", "label_search"]
@@ -54,10 +53,7 @@ def is_kept() -> bool:
         Whether calling it takes no compiling.
     """
     kernel: Any = _compiled()
-    if kernel.signatures or _wanted:
-        return True
-    index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
-    return index is not None and Path(index._index_path).is_file()
+    return bool(kernel.signatures) or _wanted or lies_in_cache(kernel)
 
 
 def label_search(hops: int) -> Callable[..., Any]:

@@ -53,18 +53,17 @@ def timed_under_law(
     cut = plan_with_days(plan, legal.question.net, routes, driven)
     patience_s = problem.patience_min * 60.0
     below = network_below(legal.question.net)
+    if not any(_minds_weeks(legal, one) for one in driven):
+        try:
+            table = schedule(cut.plan, problem.trips, patience_s, cut.days, legal.duration_s)
+            assert table is not None
+            found = _ruled(legal, cut.plan, table)
+            if not broken_hours(found, below, legal.vehicles):
+                return found
+        except ScenarioError:
+            # Rounded to the last digit, what is possible may seem not to be.
+            pass
     moments = table_of_moments(legal, cut.plan, cut.days, cut.points, driven)
-    if any(_minds_weeks(legal, one) for one in driven):
-        return _ruled(legal, cut.plan, moments)
-    try:
-        table = schedule(cut.plan, problem.trips, patience_s, cut.days, legal.duration_s)
-        assert table is not None
-        found = _ruled(legal, cut.plan, table)
-        if not broken_hours(found, below, legal.vehicles):
-            return found
-    except ScenarioError:
-        # Rounded to the last digit, what is possible may seem not to be.
-        pass
     return _ruled(legal, cut.plan, moments)
 
 

@@ -261,21 +261,6 @@ class LegalQuestion:
             for first, last in own.way.road.forbidden_s.tolist()
         )
 
-    def in_window(self, index: int) -> bool:
-        """Tell whether a vehicle is in time alone, as far as company may move it.
-
-        Parameters
-        ----------
-        index : int
-            The vehicle's position.
-
-        Returns
-        -------
-        bool
-            Whether it is.
-        """
-        return self.alone[index].trip.arrival_s <= self.spans[index].arrival_s
-
 
 def _up(at: float | None) -> float | None:
     return None if at is None else float(math.ceil(at - LATE_S))

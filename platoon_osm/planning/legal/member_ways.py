@@ -49,8 +49,7 @@ class MemberWays:
 
     def __init__(self, legal: LegalQuestion, own: StarWay) -> None:
         self.legal, self.own = legal, own
-        self._approach: dict[tuple[int, int], tuple[Edges, WayPoints]] = {}
-        self._onward: dict[tuple[int, int], tuple[Edges, WayPoints]] = {}
+        self._own: dict[tuple[int, int, int], tuple[Edges, WayPoints]] = {}
         self._alone: dict[tuple[int, int, int], WayPoints] = {}
 
     def way(
@@ -229,13 +228,9 @@ class MemberWays:
         way : WayPoints
             Its points.
         """
-        if (row, i) not in self._approach:
-            star = self.own.star
-            member = star.members[row]
-            start, end = self.legal.question.ends[member].origin, int(star.nodes[i])
-            edges = star.routers[member].route(start, end)
-            self._approach[row, i] = edges, self.legal.way(member, edges)
-        return self._approach[row, i]
+        star = self.own.star
+        origin = self.legal.question.ends[star.members[row]].origin
+        return self._by_itself(row, origin, int(star.nodes[i]))
 
     def onward(self, row: int, j: int) -> tuple[Edges, WayPoints]:
         """Return a member's way from a node of the master's route.
@@ -254,13 +249,17 @@ class MemberWays:
         way : WayPoints
             Its points.
         """
-        if (row, j) not in self._onward:
-            star = self.own.star
-            member = star.members[row]
-            start, end = int(star.nodes[j]), self.legal.question.ends[member].destination
-            edges = star.routers[member].route(start, end)
-            self._onward[row, j] = edges, self.legal.way(member, edges)
-        return self._onward[row, j]
+        star = self.own.star
+        destination = self.legal.question.ends[star.members[row]].destination
+        return self._by_itself(row, int(star.nodes[j]), destination)
+
+    def _by_itself(self, row: int, start: int, end: int) -> tuple[Edges, WayPoints]:
+        """Return a member's own way between two nodes, worked out once."""
+        if (row, start, end) not in self._own:
+            member = self.own.star.members[row]
+            edges = self.own.star.routers[member].route(start, end)
+            self._own[row, start, end] = edges, self.legal.way(member, edges)
+        return self._own[row, start, end]
 
     def _between(self, row: int, start: int, end: int) -> WayPoints:
         """Return the master's route between two of its nodes, driven by a member alone."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from .platoon_kernel import HELPERS, evaluate, next_stops
@@ -47,11 +46,10 @@ def is_kept() -> bool:
     bool
         Whether calling it takes no compiling.
     """
+    from ...search.hierarchy.runtime.jit import lies_in_cache
+
     kernel: Any = _compiled()[0]
-    if kernel.signatures or _wanted:
-        return True
-    index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
-    return index is not None and Path(index._index_path).is_file()
+    return bool(kernel.signatures) or _wanted or lies_in_cache(kernel)
 
 
 def kernels_for(size: int) -> Kernels:

@@ -58,11 +58,9 @@ def _made(kernel: Callable[..., object]) -> Callable[..., object]:
 
 def _is_kept(kernel: Callable[..., object]) -> bool:
     """Tell whether the compiled kernel lies in numba's cache."""
-    from pathlib import Path
+    from ...search.hierarchy.runtime.jit import lies_in_cache
 
-    cache = getattr(_made(kernel), "_cache", None)
-    index = getattr(getattr(cache, "_cache_file", None), "_index_path", None)
-    return index is not None and Path(index).is_file()
+    return lies_in_cache(_made(kernel))
 
 
 def warm_up() -> None:

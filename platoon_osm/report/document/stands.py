@@ -6,7 +6,8 @@ A gap without a record of a pause, or what a pause leaves of it, is a wait for o
 from __future__ import annotations
 
 from ...plans.pauses import Pause
-from ...plans.timetable import LATE_S, Timetable, VehicleTimes
+from ...plans.standing import standing
+from ...plans.timetable import Timetable, VehicleTimes
 from .model_law import Standing
 
 __all__ = ["all_waited_s", "kind_of", "stands_of", "waited_s"]
@@ -50,18 +51,10 @@ def stands_of(times: VehicleTimes) -> tuple[Standing, ...]:
     tuple of Standing
         In order of time; together they are its gaps between legs.
     """
-    found: list[Standing] = []
-    ends = (times.departure_s, *(end for _, end in times.legs))
-    for leg, (begin, _) in enumerate(times.legs):
-        at = ends[leg]
-        for pause in times.pauses:
-            if pause.before == leg and pause.end_s > at:
-                start = max(pause.start_s, at)
-                stands = Standing(kind_of(pause), start, pause.end_s, _restarts(pause))
-                found += [Standing("wait", at, start), stands]
-                at = pause.end_s
-        found.append(Standing("wait", at, begin))
-    return tuple(one for one in found if one.lasts_s > LATE_S)
+    return tuple(
+        Standing(kind_of(pause), pause.start_s, pause.end_s, _restarts(pause))
+        for pause in standing(times)
+    )
 
 
 def waited_s(times: VehicleTimes) -> float:

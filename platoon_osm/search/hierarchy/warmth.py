@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
 
 import numpy as np
 
 from ...network.road_network import RoadNetwork
 from .engine import HierarchyEngine
 from .fused import members
+from .runtime.jit import lies_in_cache
 
 __all__ = ["is_compiled", "is_warm", "warm_up"]
 
@@ -35,8 +35,7 @@ def is_compiled() -> bool:
     bool
         Whether there is an index of them.
     """
-    index = getattr(getattr(members._blocks, "_cache", None), "_cache_file", None)
-    return index is not None and Path(index._index_path).is_file()
+    return lies_in_cache(members._blocks)
 
 
 def warm_up() -> float:
