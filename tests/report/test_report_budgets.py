@@ -94,7 +94,7 @@ def test_first_paint_at_20000_edges(
     opened = visit(grid_file)
     # A busy machine notes it some time after it has painted.
     painted = "performance.getEntriesByName('first-contentful-paint')"
-    opened.page.wait_for_function(f"{painted}.length > 0")
+    opened.page.wait_for_function(f"() => {painted}.length > 0")
     paint = opened.page.evaluate(f"{painted}[0].startTime")
     record_property("first_contentful_paint_ms", paint)
     assert paint < FIRST_PAINT_MS * PATIENCE

@@ -93,7 +93,7 @@ def test_an_address_leads_to_its_language(folder: Path, page: Any) -> None:
     page.goto(f"{english}#language=de&map=10/45.5/10.5&vehicle=B")
     settled(page, "de")
     assert page.evaluate("map_plan.getZoom()") == 10
-    page.wait_for_function("location.hash.includes('vehicle=B')")
+    page.wait_for_function("() => location.hash.includes('vehicle=B')")
     assert "language=de" in page.evaluate("location.hash")
     assert page.evaluate("location.pathname").endswith("plan.de.html")
     # There is no page in French, nor in what is no language: the reader stays.

@@ -86,3 +86,12 @@ def test_letters_fit_their_disc() -> None:
 def test_a_saving_is_gain_loss_or_neither() -> None:
     assert [gain_or_loss(saved) for saved in (1e-9, 0.0, -1e-9)] == ["gain", "even", "loss"]
     assert true_minus("-1,5") == "\u22121,5"
+
+
+def test_browsers_are_asked_functions_when_tests_wait() -> None:
+    # The page's own policy forbids what waiting on an expression evaluates: it is refused as soon
+    # as the first look does not find it true, so such a test passes or fails by the clock.
+    waits = re.compile(r"wait_for_function\(\s*f?(\"[^\"]*\"|'[^']*')")
+    for path in (ROOT / "tests").rglob("*.py"):
+        for asked in waits.findall(path.read_text(encoding="utf-8")):
+            assert "=>" in asked, (path, asked)

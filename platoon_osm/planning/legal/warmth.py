@@ -8,8 +8,9 @@ import numpy as np
 
 from ...driving.eu561 import EU561
 from ...driving.state import RESTED
-from . import kernel, platoon_compiled
+from .kernel import LABELS
 from .one_driver import fastest
+from .platoon_compiled import EVALUATE, NEXT_STOPS
 from .platoon_search import search_platoon
 from .road import NO_LIMIT, road_of
 from .star_times import Span, StarTimes, VehicleRules
@@ -26,8 +27,8 @@ def warm_up() -> float:
         Seconds that took.
     """
     begin = time.perf_counter()
-    kernel.compile_now()
-    platoon_compiled.compile_now()
+    for kernel in (LABELS, EVALUATE, NEXT_STOPS):
+        kernel.now()
     road = road_of([3600] * 3, [NO_LIMIT] * 4)
     fastest(road, EU561, RESTED, 0, 0)
     rules = VehicleRules(EU561, RESTED, 0)

@@ -18,8 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .curve_kernel import met_on_route
-from .kernels import ready
+from .kernels import MET_ON_ROUTE
 
 __all__ = ["Gains", "MemberSteps", "StepCurve"]
 
@@ -119,7 +118,7 @@ class MemberSteps:
         moments, kinds = since[order], after[order]
         total, slopes = np.cumsum(change[order]) + fixed, np.cumsum(tilt[order])
         if gains is not None:
-            kernel = ready(met_on_route, len(order) * len(gains.gain) * 2e-7)
+            kernel = MET_ON_ROUTE.ready(len(order) * len(gains.gain) * 2e-7)
             rank = np.lexsort((self.after, self.since))
             met = kernel(
                 self.member[rank], self.merge[rank], self.leave[rank], gains.gain, self.members

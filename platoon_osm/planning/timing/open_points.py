@@ -17,9 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .curve_kernel import steps_of_members
 from .departure_curve import Gains, MemberSteps
-from .kernels import ready
+from .kernels import STEPS_OF_MEMBERS
 from .limits import Window
 from .member_ways import Ways
 
@@ -223,7 +222,7 @@ class OpenPoints:
         """
         ways, rest = self.entries, self.exits
         count = len(ways.at) + len(rest.at)
-        kernel = ready(steps_of_members, count * EVENT_S)
+        kernel = STEPS_OF_MEMBERS.ready(count * EVENT_S)
         end = self.latest if latest is None else latest
         along = np.zeros(platoon.shape[1]) if gains is None else gains.along_m
         found = kernel(

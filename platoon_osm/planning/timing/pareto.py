@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from ...network.road_network import RoadNetwork
 from ...search.tie_rule import TIE
-from .kernels import ready
-from .pareto_kernel import pareto_labels
+from .kernels import PARETO_LABELS
 
 __all__ = ["Budget", "Labels", "Reach", "is_cheap_quick", "labels_of"]
 
@@ -253,7 +252,7 @@ def labels_of(
     """
     edges, first = (np.arange(net.m), net.first_out) if forward else net.incoming()
     other = net.head if forward else net.tail
-    kernel = ready(pareto_labels, int(budget.within(reach).sum()) * LABEL_S)
+    kernel = PARETO_LABELS.ready(int(budget.within(reach).sum()) * LABEL_S)
     node, cost, time_s, before, by, complete = kernel(
         np.asarray(first, np.int64), np.asarray(edges, np.int64), np.asarray(other, np.int64),
         np.asarray(weight, np.float64), np.asarray(drive_s, np.float64), int(reach.root),

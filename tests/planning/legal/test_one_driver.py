@@ -12,7 +12,7 @@ from platoon_osm.driving.limits import UNLIMITED, Limits
 from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.driving.us395 import US395
 from platoon_osm.errors import ScenarioError
-from platoon_osm.planning.legal import kernel
+from platoon_osm.planning.legal.kernel import LABELS
 from platoon_osm.planning.legal.label_search import search
 from platoon_osm.planning.legal.one_driver import fastest, least_late
 from platoon_osm.planning.legal.road import FREE, NO_LIMIT, road_of
@@ -25,7 +25,7 @@ LONGEST = 8
 @pytest.fixture(autouse=True)
 def uncompiled(monkeypatch):
     """Compile nothing: many small searches take less."""
-    monkeypatch.setattr(kernel, "COMPILING_S", math.inf)
+    monkeypatch.setattr(LABELS, "_compiling_s", math.inf)
 
 
 def drawn_limits(rng, step, weeks):
@@ -329,7 +329,7 @@ def test_some_time_has_to_be_given():
 
 
 def test_compiled_and_plain_searches_agree(monkeypatch):
-    if not kernel.is_kept():
+    if not LABELS.is_kept():
         pytest.skip("the search has not been compiled here")
     rng = random.Random(3)
     for _ in range(5):
