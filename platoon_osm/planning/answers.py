@@ -14,6 +14,7 @@ from .company.side_by_side import side_by_side
 from .company.turns import improved_in_turns
 from .fleet import Fleet
 from .member_plans import MemberPlans
+from .no_wait import best_without_waiting, bound_if_waiting
 from .pair import PairPlan, plan_pair
 from .question import Question
 from .star import Star, StarChoice
@@ -150,7 +151,7 @@ def _timed(question: Question, star: Star) -> Answer | None:
     plans = [
         (case, found)
         for case in question.star_cases
-        if (found := clocked.best(case)) is not None
+        if (found := best_without_waiting(clocked, case)) is not None
     ]  # fmt: skip
     if not plans:
         return None
@@ -171,7 +172,7 @@ def _timed(question: Question, star: Star) -> Answer | None:
         return Answer(draft, costs, case, star.master, None)
     bound, manner = min(found.choice.bound for _, found in plans), NO_WAIT
     if not clocked.price:
-        whatever = min(clocked.bound_if_waiting(one) for one, _ in plans)
+        whatever = min(bound_if_waiting(clocked, one) for one, _ in plans)
         if float(costs.sum()) <= whatever * (1 + NO_CHEAPER):
             bound, manner = whatever, ANY_WAIT
     conditions = (*CLOCK, PRICED) if clocked.price else CLOCK

@@ -1,7 +1,7 @@
 """Cost against the departure of a master that does not wait, and saving against allowed delay.
 
 Both are exact under the conditions they name: for each departure each member takes what is cheapest
-for itself (`timed_star.py`); for each delay every vehicle is tried as master, and the best
+for itself (`no_wait.py`); for each delay every vehicle is tried as master, and the best
 departure is taken. With a wider window all ways of a narrower one remain, so the saving never
 falls.
 """
@@ -23,9 +23,10 @@ from .answers import CLOCK, NO_WAIT, PRICED
 from .asked import Asked
 from .company.bound import least_total
 from .company.draft import NO_CHEAPER
+from .no_wait import NoWait, best_without_waiting
 from .problem import Problem
 from .question import Question
-from .timed_star import NoWait, TimedStar
+from .timed_star import TimedStar
 from .timing.departure_curve import MemberSteps, StepCurve
 from .timing.limits import Window, first_named
 
@@ -204,7 +205,7 @@ def _best_of_masters(question: Question) -> tuple[int, NoWait, bool, float] | No
     best: tuple[int, NoWait] | None = None
     proved, bound = True, math.inf
     for star in stars:
-        found = TimedStar(question, star).best(_widest(question))
+        found = best_without_waiting(TimedStar(question, star), _widest(question))
         if found is None:
             continue
         proved, bound = proved and found.is_proved, min(bound, found.choice.bound)

@@ -1,73 +1,30 @@
-"""A master that does not wait, and its members: the departure at which all pay least, exactly.
+"""A master and its members under the clock, while the master does not wait.
 
-Under "member" each member pays least itself, at every departure; of all departures the one is taken
-at which all together pay least, what the master gains included. Where waiting is free that is read
-off one curve.
-
-Under "system" members and master together pay least. The master gains once an edge, so members
-hang together. With prices p of that condition, as in `system.py`, they do not, and their curve is a
-lower bound of the total at every departure. The departure at which the bound is least is planned;
-its prices give a further bound; and so on until no departure can be better than the best plan, or
-the work is done. Between a departure and the next moment at which anything opens the total never
-falls, so a bound at the one holds up to the other.
-
-If the master may wait, every member may be met at a departure of its own: the sum of what each pays
-at best, less what the master gains, is a lower bound of that.
+Driving times along its route, the members' Pareto ways to and from it, and between which departures
+of the master each could merge and separate at each node. So all that members can do at any
+departure is known at once (`timing/open_points.py`), as is what they pay in all, as a curve.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..search.tie_rule import TIE, slack_of
+from ..search.tie_rule import slack_of
 from .member_plans import MemberPlans
 from .question import Question
 from .star import Star, StarChoice
-from .timing.bound_curves import BoundCurves
 from .timing.departure_curve import Gains, MemberSteps, StepCurve
 from .timing.member_ways import Ways
-from .timing.open_points import HAIR_S, OpenPoints
+from .timing.open_points import OpenPoints
 
-__all__ = ["NoWait", "TimedStar", "waiting_price"]
+__all__ = ["TimedStar", "waiting_price"]
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
-Marks = NDArray[np.bool_]
-
-MOST_PLANNED = 40
-"""Departures that are planned under "system", if members are few."""
-
-MEMBER_PLANS = 2_000
-"""Members planned in all: with many of them, fewer departures are."""
-
-SHARES = (1.0, 0.5, 0.25, 0.0)
-"""Prices to begin with, as shares of what the master gains."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class NoWait:
-    """The best plan of a master that does not wait.
-
-    Attributes
-    ----------
-    departure : float
-        When it is at the begin of its route [s].
-    choice : StarChoice
-        Where members merge and separate; its bound holds for every departure.
-    is_proved : bool
-        Whether the bound holds at all: driving times are equal alone and together, and all ways
-        that count are known.
-    """
-
-    departure: float
-    choice: StarChoice
-    is_proved: bool
 
 
 def waiting_price(objective: Any) -> float | None:
@@ -229,35 +186,6 @@ class TimedStar:
         """
         return *points.at(departure, len(self.route_s), self.price), self.solo
 
-    def best(self, case: str) -> NoWait | None:
-        """Return the best plan for a master that does not wait.
-
-        Parameters
-        ----------
-        case : {"A", "B", "C"}
-            Which points are free.
-
-        Returns
-        -------
-        NoWait or None
-            None if the master cannot be in time with company at all.
-        """
-        points = self.points(case)
-        if points.earliest > points.latest + HAIR_S or not len(self.star.route):
-            return None
-        if self.question.problem.optimum == "system":
-            departure, choice, bound = self._for_system(case, points)
-        else:
-            departure, choice, bound = self._for_members(case, points)
-        found = StarChoice(choice.case, choice.points, choice.cost, min(bound, choice.cost))
-        return NoWait(departure, found, self.is_even and self.is_complete)
-
-    def _for_members(self, case: str, points: OpenPoints) -> tuple[float, StarChoice, float]:
-        curve = self.member_curve(points)[0]
-        step, bound = curve.best(TIE * self.star.solo_cost)
-        departure = curve.moment(step)
-        return departure, self.chosen(case, points, departure), bound
-
     def member_curve(self, points: OpenPoints) -> tuple[StepCurve, MemberSteps]:
         """Return what all pay if each member pays least, and the members' steps.
 
@@ -299,63 +227,6 @@ class TimedStar:
         gains = None if self.price else self.gains
         steps = points.steps(self.along, self.solo, self.slack, gains, self.price)
         return steps.curve(self.star.master_alone, gains), steps
-
-    def _relaxed(self, points: OpenPoints, price: Floats, latest: float | None) -> MemberSteps:
-        """Return the steps of members that count a price of the master's gain on every edge."""
-        along = self.along.copy()
-        along[:, 1:] -= np.cumsum(price)
-        return points.steps(along, self.solo, self.slack, None, self.price, latest)
-
-    def _granted(self, price: Floats) -> float:
-        """Return what the master pays if it is granted what the prices leave of its gain."""
-        return self.star.master_alone - float((self.gains.gain - price).sum())
-
-    def _for_system(self, case: str, points: OpenPoints) -> tuple[float, StarChoice, float]:
-        gain = self.gains.gain
-        bounds = BoundCurves(points)
-        for share in SHARES:
-            price = share * gain
-            bounds.add(self._relaxed(points, price, None).curve(self._granted(price)))
-        best: tuple[float, StarChoice] | None = None
-        most = max(2, min(MOST_PLANNED, MEMBER_PLANS // max(len(self.solo), 1)))
-        for _ in range(most):
-            begin, departure, least = bounds.lowest()
-            if best is not None and least >= best[1].cost - TIE * self.star.solo_cost:
-                break
-            found = self.chosen(case, points, departure)
-            bounds.settle(begin, departure, found.bound)
-            if best is None or found.cost < best[1].cost - TIE * self.star.solo_cost:
-                best = departure, found
-            if found.price is not None:
-                steps = self._relaxed(points, found.price, None)
-                bounds.add(steps.curve(self._granted(found.price)))
-        assert best is not None
-        return *best, bounds.lowest()[2]
-
-    def bound_if_waiting(self, case: str, also: Sequence[Floats] = ()) -> float:
-        """Return what no plan costs less than, whether the master waits or not.
-
-        Parameters
-        ----------
-        case : {"A", "B", "C"}
-            Which points are free.
-        also : sequence of ndarray of float, (K,)
-            Prices to try besides those to begin with.
-
-        Returns
-        -------
-        float
-            For members that share one stretch each with the master.
-        """
-        gain = np.maximum(self.gains.gain, 0.0)
-        points = self.points(case)
-        members = max(len(self.solo), 1)
-        found = -np.inf
-        for price in (*(share * gain for share in SHARES), gain / members, *also):
-            least = self._relaxed(points, price, points.latest_waiting).least()
-            granted = self.star.master_alone - float((gain - price).sum())
-            found = max(found, float(least.sum()) + granted)
-        return found - TIE * self.star.solo_cost
 
     def way(self, points: OpenPoints, departure: float, vehicle: int, at: int, to: bool) -> Longs:
         """Return the way that a member takes.

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 import platoon_osm as po
 from platoon_osm.planning.answers import ANY_WAIT, NO_WAIT
 from platoon_osm.planning.asked import Asked
+from platoon_osm.planning.no_wait import best_without_waiting, bound_if_waiting
 from platoon_osm.planning.timed_star import TimedStar, waiting_price
 
 DAY = datetime(2026, 3, 2)
@@ -227,7 +228,7 @@ def test_each_member_pays_least_at_the_best_departure(problem):
     question, count = asked.question, Count(problem, asked.question)
     star = question.star(0)
     clocked = TimedStar(question, star)
-    best = clocked.best("C")
+    best = best_without_waiting(clocked, "C")
     every = {
         at: count.members_pay([at + tau for tau in count.tau]) for at in count.departures()
     }  # fmt: skip
@@ -263,7 +264,7 @@ def test_for_all_together_the_bound_is_below_the_best_and_the_plan_is_one(proble
     if asked is None:
         return
     count = Count(problem, asked.question)
-    best = TimedStar(asked.question, asked.question.star(0)).best("C")
+    best = best_without_waiting(TimedStar(asked.question, asked.question.star(0)), "C")
     least = min(count.system_pays([at + tau for tau in count.tau]) for at in count.departures())
     assert best.choice.bound <= least + 1e-6
     assert best.choice.cost >= least - 1e-6
@@ -279,7 +280,7 @@ def test_no_master_that_waits_is_cheaper_than_the_bound(problem, optimum):
     if asked is None:
         return
     count = Count(problem, asked.question)
-    bound = TimedStar(asked.question, asked.question.star(0)).bound_if_waiting("C")
+    bound = bound_if_waiting(TimedStar(asked.question, asked.question.star(0)), "C")
     pays = count.system_pays if optimum == "system" else count.members_pay
     for here in count.timetables(3):
         assert bound <= pays(here) + 1e-6
