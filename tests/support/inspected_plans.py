@@ -1,7 +1,7 @@
 """Every plan that a test, an example or the command makes goes through the checker as it leaves.
 
 A plan may be late, which it says itself; it may break no rule that it was made by, and it may not
-contradict itself.
+contradict itself. What is proved was compared to the end.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ def inspect_every_plan() -> None:
         if plan.timetable is not None:
             found = [one for one in verdict.inspect_plan(plan) if one.violation.article != "window"]
             assert not found, f"a plan breaks what it was made by: {found[:3]}"
+        told = " ".join(plan.proof.conditions)
+        assert plan.proof.kind != "exact" or "ended before" not in told, told
         return plan
 
     inspected.is_inspected = True  # type: ignore[attr-defined]

@@ -83,13 +83,21 @@ def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
         return Proof.of(answer.cost, answer.cost, common)
     stopped = (STOPPED,) if planned.unfinished else ()
     if planned.bound is None:
-        return Proof.of(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
+        return _proved(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
     name = question.ends[answer.master or 0].vehicle
     tried = f"{planned.masters} of {planned.masters} masters tried"
     compared = (tried,) if question.fixed_master is None else ()
     kept = f"master {name} on its own route, {STANDS_FOR_LAW}"
     who = (kept, *compared, *stopped, ONE_STRETCH, MEMBERS)
-    return Proof.of(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
+    return _proved(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
+
+
+def _proved(cost: float, bound: float, conditions: Sequence[str], any_plan: float) -> Proof:
+    """Return the proof of a bound; a search that ended early may have reached it all the same."""
+    proof = Proof.of(cost, bound, tuple(conditions), any_plan)
+    if proof.kind != "exact":
+        return proof
+    return replace(proof, conditions=tuple(one for one in conditions if one != STOPPED))
 
 
 def _late(legal: LegalQuestion, plan: Plan) -> Iterator[str]:
