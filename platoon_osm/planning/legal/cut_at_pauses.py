@@ -239,8 +239,9 @@ def _rested_s(seconds: int, rules: VehicleRules) -> int:
     if not (state.driven_since_break_s or state.driven_today_s or state.duty_s):
         return 0
     first, second = limits.parts_s or (0.0, 0.0)
+    whole = limits.beside_s if limits.change_s else limits.break_s
     steps = (
-        limits.weekly_rest_s, limits.rest_s, limits.reduced_rest_s, limits.break_s, second, first,
+        limits.weekly_rest_s, limits.rest_s, limits.reduced_rest_s, whole, second, first,
     )  # fmt: skip
     return int(max((one for one in steps if 0 < one <= seconds), default=0))
 
@@ -251,6 +252,9 @@ def _least_s(pause: PlannedPause, limits: Limits) -> float:
     least = {
         "weekly_rest": limits.weekly_rest_s, "daily_rest": limits.rest_s,
         "reduced_daily_rest": limits.reduced_rest_s, "break": limits.break_s,
-        "second_part": second, "first_part": first, "change": limits.change_s,
+        "second_part": second, "first_part": first,
     }  # fmt: skip
+    if limits.change_s:
+        # What two drivers need depends on what is behind each.
+        return float(pause.least_s)
     return max((least.get(one, 0.0) for one in pause.purposes), default=0.0)

@@ -22,9 +22,10 @@ from __future__ import annotations
 import numpy as np
 
 from .numbers import (
+    APART,
     BREAK,
     CHANGE,
-    CHANGE_IN_BREAK,
+    CHANGE_RESTED,
     DAILY,
     FIRST,
     LENGTHS,
@@ -42,18 +43,20 @@ __all__ = ["COLUMNS", "HELPERS", "INFO", "search"]
 TIME, BROKEN, PART, WORKED, TODAY, DUTY, DUTY_MOST, LONG_DAYS, REDUCED_USED = range(9)
 WEEK_DRIVEN, LAST_WEEK, WEEK, WEEKLY_END, GONE, GONE_MOST, BESIDE = range(9, 16)
 OTHER_TODAY, OTHER_LONG_DAYS, OTHER_WEEK, OTHER_LAST_WEEK, DUTY_WEEK = range(16, 21)
-COLUMNS = 21
+OTHER_BROKEN = 21
+COLUMNS = 22
 
-# What is kept of how it came about: its parent, its kind of pause, and when it might then leave.
-PARENT, KIND, OPENS, CLOSES = range(4)
-INFO = 4
+# What is kept of how it came about: its parent, its kind of pause, when it might then leave, and
+# how long it pauses at least.
+PARENT, KIND, OPENS, CLOSES, LASTS = range(5)
+INFO = 5
 
 # Positions of the limits, after the lengths of the pauses.
 SPELL, WORK, PIECE_LENGTH, DAY, LONG_DAY, MOST_LONG, WINDOW, LONG_WINDOW = range(
     LENGTHS, LENGTHS + 8
 )
-MOST_REDUCED, MOST_WEEK, FORTNIGHT, WEEKLY_DUE, BESIDE_LENGTH, CALENDAR = range(
-    LENGTHS + 8, LENGTHS + 14
+MOST_REDUCED, MOST_WEEK, FORTNIGHT, WEEKLY_DUE, BESIDE_LENGTH, CALENDAR, POOLED = range(
+    LENGTHS + 8, LENGTHS + 15
 )
 
 WEEK_S = 604_800
@@ -84,25 +87,54 @@ def allowed(kind: int, a: IntArray, p: IntArray) -> bool:
         return bool(a[BROKEN] > 0 and a[PART] == 0)
     if kind == SECOND:
         return bool(a[PART] == 1)
-    if kind == BREAK:
-        return bool(
-            (a[BROKEN] > 0 or a[BESIDE] < p[BESIDE_LENGTH])
-            and (a[PART] == 0 or p[BREAK] < p[SECOND])
-        )
     if kind == PIECE:
         return bool(a[WORKED] > 0)
-    if kind == CHANGE:
-        return bool(a[BESIDE] >= p[BESIDE_LENGTH])
-    if kind == REDUCED:
+    if kind == CHANGE_RESTED:
+        return bool(a[OTHER_BROKEN] > 0 and a[BESIDE] + p[CHANGE] < p[BESIDE_LENGTH])
+    pause = APART[kind]
+    if pause == BREAK:
+        return bool(
+            (a[BROKEN] > 0 or a[OTHER_BROKEN] > 0) and (a[PART] == 0 or p[BREAK] < p[SECOND])
+        )
+    if pause == REDUCED:
         return bool(a[DUTY] <= p[LONG_WINDOW] and a[REDUCED_USED] < p[MOST_REDUCED])
-    if kind == DAILY:
+    if pause == DAILY:
         return bool(a[DUTY] <= p[WINDOW])
-    if kind == WEEKLY:
+    if pause == WEEKLY:
         # A reduced daily rest that is left is as good as none used: the weekly rest restores them.
         late = a[DUTY] > p[WINDOW] and a[REDUCED_USED] >= p[MOST_REDUCED]
         due = a[WEEKLY_END] + p[WEEKLY_DUE]
         return bool(a[DUTY] <= p[LONG_WINDOW] and not late and a[TIME] <= due)
     return True
+
+
+def lasts(kind: int, a: IntArray, p: IntArray) -> int:
+    """Return how long a pause of a kind takes a label at least.
+
+    Parameters
+    ----------
+    kind : int
+        Of `numbers`.
+    a : int64 array, (COLUMNS,)
+        The label.
+    p : int64 array
+        The limits.
+
+    Returns
+    -------
+    int
+        Its length [s].
+    """
+    if kind == CHANGE_RESTED:
+        return int(max(p[CHANGE], p[BESIDE_LENGTH] - a[BESIDE]))
+    return int(p[kind])
+
+
+def _change_seats(a: IntArray, length: int, p: IntArray, out: IntArray) -> None:
+    """Let the other driver of a label take over after both have paused, but not long enough."""
+    out[BROKEN] = a[OTHER_BROKEN] if a[BESIDE] + length < p[BESIDE_LENGTH] else 0
+    out[OTHER_BROKEN] = a[BROKEN]
+    out[BESIDE] = length if a[BROKEN] > 0 else p[BESIDE_LENGTH]
 
 
 def leave(
@@ -139,7 +171,8 @@ def leave(
     bool
         Whether it can.
     """
-    length = p[kind]
+    length = lasts(kind, a, p)
+    pause = APART[kind]
     if length > stay and kind != NONE:
         return False
     ready = begins + length
@@ -151,10 +184,10 @@ def leave(
     wait = leaves - ready
     duty_slack = a[DUTY_MOST] - (begins - a[DUTY])
     gone_slack = a[GONE_MOST] - (begins - a[GONE])
-    if kind in (REDUCED, DAILY, WEEKLY) and a[DUTY_MOST] < FAR:
+    if pause in (REDUCED, DAILY, WEEKLY) and a[DUTY_MOST] < FAR:
         # A duty period that began before the trip does not move with the departure: the rest still
         # has to begin in time.
-        full = kind == DAILY or (kind == WEEKLY and a[REDUCED_USED] >= p[MOST_REDUCED])
+        full = pause == DAILY or (pause == WEEKLY and a[REDUCED_USED] >= p[MOST_REDUCED])
         window = p[WINDOW] if full else p[LONG_WINDOW]
         gone_slack = min(gone_slack, duty_slack + window - a[DUTY])
     duty_move = min(wait, duty_slack)
@@ -186,26 +219,22 @@ def leave(
         out[WORKED] = 0
     if kind == FIRST:
         out[PART] = 1
-    if kind in (SECOND, BREAK, CHANGE_IN_BREAK):
-        out[BROKEN] = 0
-        out[PART] = 0
-    if kind in (BREAK, CHANGE_IN_BREAK):
-        out[BESIDE] = p[BESIDE_LENGTH]
-    if kind == CHANGE:
-        out[BROKEN] = 0
-        out[BESIDE] = 0
-    if kind in (CHANGE, CHANGE_IN_BREAK):
+    if kind >= CHANGE:
+        _change_seats(a, length, p, out)
+    if kind >= CHANGE and p[POOLED] == 0:
         out[TODAY], out[OTHER_TODAY] = a[OTHER_TODAY], a[TODAY]
         out[LONG_DAYS], out[OTHER_LONG_DAYS] = a[OTHER_LONG_DAYS], a[LONG_DAYS]
         out[WEEK_DRIVEN], out[OTHER_WEEK] = a[OTHER_WEEK], a[WEEK_DRIVEN]
         out[LAST_WEEK], out[OTHER_LAST_WEEK] = a[OTHER_LAST_WEEK], a[LAST_WEEK]
-    if kind in (REDUCED, DAILY, WEEKLY):
+    if pause in (SECOND, BREAK, REDUCED, DAILY, WEEKLY):
         out[BROKEN] = 0
         out[PART] = 0
+        out[OTHER_BROKEN] = 0
+        out[BESIDE] = p[BESIDE_LENGTH]
+    if pause in (REDUCED, DAILY, WEEKLY):
         out[WORKED] = 0
         out[TODAY] = 0
         out[OTHER_TODAY] = 0
-        out[BESIDE] = p[BESIDE_LENGTH]
         out[DUTY] = leaves - ends
         longer = stay - (stood if stood < stay else stay)
         slack = min(slack + longer, room)
@@ -215,9 +244,9 @@ def leave(
             out[LONG_DAYS] = 0
             out[OTHER_LONG_DAYS] = 0
             out[DUTY_WEEK] = week
-        if kind == REDUCED:
+        if pause == REDUCED:
             out[REDUCED_USED] += 1
-        if kind == WEEKLY:
+        if pause == WEEKLY:
             out[REDUCED_USED] = 0
             out[WEEKLY_END] = ends
             if p[CALENDAR] == 0:
@@ -256,10 +285,10 @@ def _drive(
         due = a[WEEKLY_END] + p[WEEKLY_DUE] - ends
         a[DUTY_MOST] = min(a[DUTY_MOST], began + due)
         a[GONE_MOST] = min(a[GONE_MOST], gone + due)
+    if today > p[DAY] and a[LONG_DAYS] + (a[TODAY] <= p[DAY]) > p[MOST_LONG]:
+        return False
     if today > p[DAY] and a[TODAY] <= p[DAY]:
         a[LONG_DAYS] += 1
-        if a[LONG_DAYS] > p[MOST_LONG]:
-            return False
         # It counts in the week in which the duty period begins, and is not moved into another.
         left = monday + (a[DUTY_WEEK] + 1) * WEEK_S - 1 - began
         if left >= 0:
@@ -303,6 +332,8 @@ def _drive(
     a[GONE] += seconds
     if a[BESIDE] < p[BESIDE_LENGTH]:
         a[BESIDE] = min(p[BESIDE_LENGTH], a[BESIDE] + seconds)
+        if a[BESIDE] >= p[BESIDE_LENGTH]:
+            a[OTHER_BROKEN] = 0
     return True
 
 
@@ -320,7 +351,9 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
         return False
     if late and (a[GONE] > b[GONE] or a[GONE_MOST] < b[GONE_MOST]):
         return False
-    if a[BESIDE] < b[BESIDE] or a[OTHER_TODAY] > b[OTHER_TODAY]:
+    if a[OTHER_BROKEN] > b[OTHER_BROKEN] or a[BESIDE] < b[BESIDE]:
+        return False
+    if a[OTHER_TODAY] > b[OTHER_TODAY]:
         return False
     if a[OTHER_LONG_DAYS] > b[OTHER_LONG_DAYS]:
         return False
@@ -348,7 +381,7 @@ def _least_left(
     rest = min(p[REDUCED], p[DAILY])
     rests = 0
     if rest < NO_LIMIT and p[LONG_DAY] < NO_LIMIT:
-        share = 2 if p[CHANGE] < NO_LIMIT else 1
+        share = 2 if p[CHANGE] < NO_LIMIT and p[POOLED] == 0 else 1
         most = max(1, share * p[LONG_DAY])
         rests = max(0, -(-(a[TODAY] + a[OTHER_TODAY] + clock - most) // most))
     breaks = 0
@@ -372,22 +405,30 @@ def _least_left(
             last = driven if week == a[WEEK] + 1 else 0
             driven = 0
         over = clock - min(p[MOST_WEEK] - driven, p[FORTNIGHT] - driven - last)
-        if p[CHANGE] == NO_LIMIT and over > 0:
+        if p[CHANGE] < NO_LIMIT and p[POOLED] == 0:
+            driven, last = a[OTHER_WEEK], a[OTHER_LAST_WEEK]
+            if week > a[WEEK]:
+                last = driven if week == a[WEEK] + 1 else 0
+                driven = 0
+            over -= min(p[MOST_WEEK] - driven, p[FORTNIGHT] - driven - last)
+        if over > 0:
             # So much is driven after Monday, in as much time if the clock counts all of it.
             bound = max(bound, monday + (week + 1) * WEEK_S - a[TIME] + over)
     return bound
 
 
-def _sunday_start(which: int, a: IntArray, p: IntArray, monday: int) -> int:
+def _sunday_start(which: int, kind: int, a: IntArray, p: IntArray, monday: int) -> int:
     """Return when to start so that the week's driving is not too much, at the earliest.
 
-    That is next Monday 0:00, or as long before it as may still be driven in this week.
+    That is next Monday 0:00, or as long before it as who then drives may still in this week.
     """
     week = (a[TIME] - monday) // WEEK_S
     begins = monday + (week + 1) * WEEK_S
     if which == 0:
         return int(begins)
     driven, last = a[WEEK_DRIVEN], a[LAST_WEEK]
+    if kind >= CHANGE and p[POOLED] == 0:
+        driven, last = a[OTHER_WEEK], a[OTHER_LAST_WEEK]
     if week > a[WEEK]:
         last = driven if week == a[WEEK] + 1 else 0
         driven = 0
@@ -519,13 +560,14 @@ def search(
                         found_info[count, OPENS] = begins_info[label, OPENS]
                         found_info[count, CLOSES] = begins_info[label, CLOSES]
                         found_info[count, KIND] = begins_info[label, KIND]
+                        found_info[count, LASTS] = begins_info[label, LASTS]
                         found_info[count, PARENT] = -1
                     else:
                         a = kept[label]
                         opens = -NO_LIMIT
                         if opening >= regular:
                             # Wait for Monday, or until what is left of the week lasts till then.
-                            opens = _sunday_start(opening - regular, a, p, monday)
+                            opens = _sunday_start(opening - regular, kind, a, p, monday)
                             if opens <= a[TIME]:
                                 continue
                             for window in range(windows_first[k], windows_first[k + 1]):
@@ -549,7 +591,7 @@ def search(
                         if late:
                             spare -= a[GONE_MOST] - (a[TIME] - a[GONE])
                         # A first part that was taken is no worse than a rest, where it counts.
-                        other = kind in (DAILY, WEEKLY, FIRST) or (
+                        other = APART[kind] in (DAILY, WEEKLY, FIRST) or (
                             a[PART] == 1 and kind in (NONE, PIECE)
                         )
                         if (
@@ -567,6 +609,7 @@ def search(
                         found_info[count, KIND] = kind
                         found_info[count, OPENS] = opens
                         found_info[count, CLOSES] = closes
+                        found_info[count, LASTS] = lasts(kind, a, p)
                     if not _drive(out, drive_s[k], clock_s[k], p, monday, weeks, weekly):
                         continue
                     if out[TIME] > due[k + 1]:
@@ -631,5 +674,8 @@ def search(
     return kept, kept_info, first
 
 
-HELPERS = (allowed, leave, _drive, _covers, _least_left, _sunday_start, _by_time, _grown)
+HELPERS = (
+    allowed, lasts, _change_seats, leave, _drive, _covers, _least_left, _sunday_start, _by_time,
+    _grown,
+)  # fmt: skip
 """What the search calls: to be made known to the compiler before it."""

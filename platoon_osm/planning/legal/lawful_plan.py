@@ -72,11 +72,13 @@ def _minds_weeks(legal: LegalQuestion, driven: Driven) -> bool:
     trip, rules = driven.trip, driven.rules
     limits, state = rules.limits, rules.state
     drives = float(driven.way.road.clock_s.sum())
+    # The limits of two drivers are those of the vehicle; either might drive all the way.
+    share = 2 if limits.change_s else 1
     begin = trip.departure_s if rules.state_at_s is None else rules.state_at_s
     passes = (trip.arrival_s - legal.monday_s) // WEEK_S > (begin - legal.monday_s) // WEEK_S
     return (
-        state.driven_this_week_s + drives > limits.week_s
-        or state.driven_this_week_s + state.driven_last_week_s + drives > limits.fortnight_s
+        state.driven_this_week_s + drives > limits.week_s / share
+        or state.driven_this_week_s + state.driven_last_week_s + drives > limits.fortnight_s / share
         or state.since_weekly_rest_s + trip.arrival_s - begin > limits.weekly_after_s
         or (passes and limits.week_s < math.inf)
     )

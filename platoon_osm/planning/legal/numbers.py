@@ -14,57 +14,78 @@ from ...driving.limits import Limits
 from .road import NO_LIMIT, IntArray
 
 __all__ = [
-    "BREAK", "CHANGE", "CHANGE_IN_BREAK", "DAILY", "FIRST", "LENGTHS", "NONE", "PIECE", "REDUCED",
-    "SECOND", "WEEKLY", "kinds_of", "numbers_of",
+    "APART", "BREAK", "CHANGE", "CHANGE_IN_BREAK", "CHANGE_RESTED", "DAILY", "FIRST", "LENGTHS",
+    "NONE", "PIECE", "REDUCED", "SECOND", "WEEKLY", "kinds_of", "numbers_of",
 ]  # fmt: skip
 
-NONE, FIRST, SECOND, BREAK, REDUCED, DAILY, WEEKLY, CHANGE, CHANGE_IN_BREAK, PIECE = range(10)
-"""What a label may do at a point: nothing, the parts of a break in two, a break, the three rests, a
-change of seats, one within a break of both, and a piece of pause that only ends a spell of work."""
+NONE, FIRST, SECOND, BREAK, REDUCED, DAILY, WEEKLY, PIECE = range(8)
+"""What a label may do at a point: nothing, the parts of a break in two, a break, the three rests,
+and a piece of pause that only ends a spell of work."""
 
-LENGTHS = 10
-"""How many kinds there are; the lengths of their pauses come first among the numbers."""
+CHANGE, CHANGE_RESTED, CHANGE_IN_BREAK = range(8, 11)
+"""What two drivers may do besides: change seats, at once, or as soon as who sat beside the other
+has had its break there, or within a break of both."""
+
+LENGTHS = 14
+"""How many kinds there are; the lengths of their pauses come first among the numbers. The last are
+the three rests in which two drivers change seats."""
+
+APART = (NONE, FIRST, SECOND, BREAK, REDUCED, DAILY, WEEKLY, PIECE, NONE, NONE, BREAK,
+         REDUCED, DAILY, WEEKLY)  # fmt: skip
+"""What each kind is to both drivers, whether they change seats in it or not."""
+
+ROUNDED_S = 5
+"""Driving times are rounded up, each part of a joint way by less than a second: so much longer one
+driver sits beside the other than a break lasts [s]."""
 
 
-def numbers_of(limits: Limits) -> IntArray:
+def numbers_of(limits: Limits, pooled: bool = False) -> IntArray:
     """Return limits as an array.
 
     Parameters
     ----------
     limits : Limits
         Of one driver, or of two in one vehicle.
+    pooled : bool, optional
+        Whether the driving of two in a day and in a week is counted together, whoever drives: that
+        allows all that is allowed to each, and more.
 
     Returns
     -------
     int64 array
-        For each kind of pause its length, `NO_LIMIT` if it is not taken; then the longest spell,
+        For each kind of pause its length, the least where that depends on what was before,
+        `NO_LIMIT` if it is not taken; then the longest spell,
         spell of work, pause that ends one, day, long day, long days, window, long window, reduced
         rests, week, fortnight, what ends a weekly rest is due after, time beside that is a break,
-        and whether weeks are those of the calendar [s].
+        whether weeks are those of the calendar, and whether driving is pooled [s].
     """
     two = limits.change_s > 0
-    share = 2 if two else 1
+    pooled = pooled and two
+    share = 2 if two and not pooled else 1
     whole = _up(limits.beside_s if two else limits.break_s)
     spells = math.isfinite(limits.spell_s)
     days = math.isfinite(limits.day_s) or math.isfinite(limits.window_s)
     parts = limits.parts_s if spells and not two else None
     first, second = (NO_LIMIT, NO_LIMIT) if parts is None else map(_up, parts)
+    reduced = _up(limits.reduced_rest_s) if days and limits.reduced_rests else NO_LIMIT
+    daily, weekly = _up(limits.rest_s) if days else NO_LIMIT, _up(limits.weekly_rest_s)
+    change = _up(limits.change_s) if two else NO_LIMIT
     # Whoever has to take a break before has no spell of work that is too long: it is all driving.
     works = limits.work_spell_s < limits.spell_s
     pause = _up(limits.work_pause_s)
     numbers = (
         0, first, second, whole if spells else NO_LIMIT,
-        _up(limits.reduced_rest_s) if days and limits.reduced_rests else NO_LIMIT,
-        _up(limits.rest_s) if days else NO_LIMIT,
-        _up(limits.weekly_rest_s), _up(limits.change_s) if two else NO_LIMIT,
-        max(whole, _up(limits.change_s)) if two else NO_LIMIT,
-        pause if works else NO_LIMIT,
+        reduced, daily, weekly, pause if works else NO_LIMIT,
+        change, change if spells else NO_LIMIT, max(whole, change) if spells else NO_LIMIT,
+        *(NO_LIMIT if pooled else max(one, change) for one in (reduced, daily, weekly)),
         _down(limits.spell_s), _down(limits.work_spell_s) if works else NO_LIMIT, pause,
-        _down(limits.day_s / share), _down(limits.long_day_s / share), limits.long_days,
+        _down(limits.day_s / share), _down(limits.long_day_s / share),
+        limits.long_days * (2 if pooled else 1),
         _down(limits.window_s), _down(limits.long_window_s), limits.reduced_rests,
         _down(limits.week_s / share),
         _down(limits.fortnight_s / share) if limits.calendar_weeks else NO_LIMIT,
-        _down(limits.weekly_after_s), whole, int(limits.calendar_weeks),
+        _down(limits.weekly_after_s), whole + ROUNDED_S if two else 0, int(limits.calendar_weeks),
+        int(pooled),
     )  # fmt: skip
     return np.array(numbers, dtype=np.int64)
 

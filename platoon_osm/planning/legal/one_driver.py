@@ -7,9 +7,9 @@ scheduling problem" (EURO Journal on Transportation and Logistics, 2012).
 It is the best among all trips in whole seconds that keep the limits and pause at the road's points,
 on these conditions: no place with a limited stay is where a ban or an appointment has to be waited
 for; where driving in a week can be too much, or a long day could lie on either side of Monday, what
-would be driven before Monday is not moved beyond it by leaving later, but by waiting there; two
-drivers change seats after 45 min at the earliest, and not at a rest. Without those it is legal all
-the same, and may be later than the best.
+would be driven before Monday is not moved beyond it by leaving later, but by waiting there; and
+what docs/law.md says of two drivers. Without those it is legal all the same, and may be later than
+the best.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from .label_search import (
     WEEKLY_DUE,
     WEEKLY_END,
 )  # fmt: skip
-from .numbers import kinds_of, numbers_of
+from .numbers import CHANGE, kinds_of, numbers_of
 from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
 from .start import Start, starts_of
 from .timed import chosen, timed
@@ -48,6 +48,13 @@ MANY = 40
 
 WEEK_WIDTHS = (40, 300)
 """How many of each point those are, and how many if that finds nothing."""
+
+MANY_TO_SHARE = 8
+"""Hops beyond which, where two drivers cannot share the driving of a trip that is the best for both
+together, only some labels are kept."""
+
+SHARED_WIDTH = 300
+"""How many of each point those are."""
 
 WIDTH = 12
 """Labels of each point that are kept in the first, narrow search."""
@@ -208,16 +215,19 @@ class _Search:
     """The search on one road under one law."""
 
     def __init__(
-        self, road: Road, limits: Limits, state: DriverState, monday_s: int, dominance: bool
-    ) -> None:
+        self, road: Road, limits: Limits, state: DriverState, monday_s: int, dominance: bool,
+        pooled: bool = False,
+    ) -> None:  # fmt: skip
         self.road, self.state, self.monday, self.dominance = road, state, monday_s, dominance
         self.asked = limits, state, monday_s, dominance
-        self.numbers = numbers_of(limits)
+        self.pooled = pooled
+        self.numbers = numbers_of(limits, pooled)
         self.kinds = kinds_of(self.numbers)
         self.windows = windows_of(road)
         self.kernel = label_search(road.hops)
         total = int(road.clock_s.sum())
-        this, last = state.driven_this_week_s, state.driven_last_week_s
+        both = 2 if pooled else 1
+        this, last = both * state.driven_this_week_s, both * state.driven_last_week_s
         fits = this + total <= self.numbers[MOST_WEEK]
         fits &= this + last + total <= self.numbers[FORTNIGHT]
         self.weeks = int(not fits)
@@ -226,7 +236,43 @@ class _Search:
         self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
         aim: Aim,
     ) -> LegalTrip | None:  # fmt: skip
-        """Return the best trip that leaves within a span of time.
+        """Return the best trip that leaves within a span of time."""
+        asked = (state_at_s, earliest_s, latest_s, arrival_s, aim)
+        if self.numbers[CHANGE] < NO_LIMIT and self.dominance and not self.pooled:
+            return self._of_two(*asked)
+        return self._of_one(*asked)
+
+    def _of_two(
+        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
+        aim: Aim,
+    ) -> LegalTrip | None:  # fmt: skip
+        """Return the best trip of two drivers.
+
+        Whoever drives counts for the day and the week of both at first. If two drivers who pause
+        nowhere else can share the driving of that trip, it is the best: no other is, for more was
+        allowed. Only if not, who drives what is part of the search.
+        """
+        asked = (state_at_s, earliest_s, latest_s)
+        bound = _Search(self.road, *self.asked, pooled=True)._of_one(*asked, arrival_s, aim)
+        if bound is None:
+            return None
+        same = _Search(_stopping(self.road, bound), *self.asked)
+        found = same._of_one(*asked, arrival_s, aim)
+        if found is None:
+            return self._of_one(*asked, arrival_s, aim)
+        if (found.departure_s, found.arrival_s) == (bound.departure_s, bound.arrival_s):
+            return found
+        if aim == "arrive":
+            arrival_s = found.arrival_s
+        else:
+            asked = (state_at_s, max(earliest_s, found.departure_s), latest_s)
+        return self._of_one(*asked, arrival_s, aim) or found
+
+    def _of_one(
+        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
+        aim: Aim,
+    ) -> LegalTrip | None:  # fmt: skip
+        """Return the best trip, of all that the limits allow as they are counted.
 
         Where the driving of a week could be too much it is first not looked at: the best of more
         trips is the best if it keeps those limits too.
@@ -242,17 +288,29 @@ class _Search:
 
     def _fits(self, trip: LegalTrip, state_at_s: int | None) -> bool:
         """Return whether a trip keeps the limits of driving in a week."""
-        if not self.numbers[CALENDAR] or trip.drives:
+        if not self.numbers[CALENDAR]:
             return False
+        drives = (0,) * self.road.hops if self.pooled or not trip.drives else trip.drives
+        return all(
+            self._fits_one(trip, state_at_s, [own == driver for own in drives])
+            for driver in set(drives)
+        )
+
+    def _fits_one(self, trip: LegalTrip, state_at_s: int | None, drives: list[bool]) -> bool:
+        """Return whether the hops that one driver drives keep its limits of a week."""
         since = trip.departure_s if state_at_s is None else state_at_s
         week = (since - self.monday) // WEEK_S
         state = self.state
-        driven = {week - 1: state.driven_last_week_s, week: state.driven_this_week_s}
+        both = 2 if self.pooled else 1
+        driven = {
+            week - 1: both * state.driven_last_week_s, week: both * state.driven_this_week_s
+        }  # fmt: skip
         stands = {one.point: one.end_s - one.start_s for one in trip.pauses}
         at = trip.departure_s
         for hop in range(self.road.hops):
             at += stands.get(hop, 0)
-            seconds, clock = int(self.road.drive_s[hop]), int(self.road.clock_s[hop])
+            seconds = int(self.road.drive_s[hop])
+            clock = int(self.road.clock_s[hop]) if drives[hop] else 0
             week = (at - self.monday) // WEEK_S
             left = self.monday + (week + 1) * WEEK_S - at
             after = 0 if seconds <= left else clock - clock * left // seconds
@@ -324,7 +382,11 @@ class _Search:
         self, start: Start, arrival_s: int, late: bool
     ) -> tuple[IntArray, IntArray, IntArray]:
         """Run with all labels, or as many as a long road lets one keep."""
-        widths = WEEK_WIDTHS if self.weeks and self.road.hops > MANY else (0,)
+        widths: tuple[int, ...] = (0,)
+        if self.weeks and self.road.hops > MANY:
+            widths = WEEK_WIDTHS
+        elif self.numbers[CHANGE] < NO_LIMIT and not self.pooled and self.road.hops > MANY_TO_SHARE:
+            widths = (SHARED_WIDTH,)
         for width in widths:
             found = self._run(start, arrival_s, late, width)
             if found[2][-2] < found[2][-1]:
@@ -368,6 +430,16 @@ class _Search:
             late, self.weeks, int(weekly), width, self.dominance,
         )  # fmt: skip
         return found
+
+
+def _stopping(road: Road, trip: LegalTrip) -> Road:
+    """Return a road with places only where a trip pauses."""
+    stay = np.zeros_like(road.stay_s)
+    points = [pause.point for pause in trip.pauses]
+    stay[points] = road.stay_s[points]
+    return Road(
+        road.drive_s, road.clock_s, stay, road.leave_s, road.forbidden_first, road.forbidden_s
+    )
 
 
 def _until(road: Road, point: int) -> Road:

@@ -186,7 +186,10 @@ class RoadTrips:
         """Whether a limit of the week might bind, or Monday lie within the trip."""
         limits, state = rules.limits, rules.state
         driven = float(road.clock_s.sum()) + state.driven_this_week_s
-        if driven > limits.week_s or driven + state.driven_last_week_s > limits.fortnight_s:
+        share = 2 if limits.change_s else 1
+        if driven > limits.week_s / share:
+            return True
+        if driven + state.driven_last_week_s > limits.fortnight_s / share:
             return True
         if not limits.calendar_weeks or not np.isfinite(limits.day_s):
             return False

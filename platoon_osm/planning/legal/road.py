@@ -150,12 +150,15 @@ class PlannedPause:
         When [s].
     purposes : tuple of str
         What it is for, of `PURPOSES` and in their order.
+    least_s : int
+        How long it has to be for that [s].
     """
 
     point: int
     start_s: int
     end_s: int
     purposes: tuple[str, ...]
+    least_s: int = 0
 
     def __post_init__(self) -> None:
         if not self.purposes or any(one not in PURPOSES for one in self.purposes):

@@ -19,6 +19,7 @@ from .label_search import (
     CALENDAR,
     CLOSES,
     COLUMNS,
+    DAY,
     DUTY,
     DUTY_MOST,
     DUTY_WEEK,
@@ -28,15 +29,18 @@ from .label_search import (
     INFO,
     KIND,
     LAST_WEEK,
+    LASTS,
     LONG_DAYS,
     MOST_WEEK,
     OPENS,
+    OTHER_BROKEN,
     OTHER_LAST_WEEK,
     OTHER_LONG_DAYS,
     OTHER_TODAY,
     OTHER_WEEK,
     PARENT,
     PART,
+    POOLED,
     REDUCED_USED,
     TIME,
     TODAY,
@@ -48,7 +52,7 @@ from .label_search import (
     allowed,
     leave,
 )  # fmt: skip
-from .numbers import CHANGE, CHANGE_IN_BREAK, NONE
+from .numbers import CHANGE, NONE
 from .road import NO_LIMIT, IntArray
 
 WEEKS = 3
@@ -127,7 +131,7 @@ def starts_of(
         label = _as_of(state, begins, numbers, monday_s)
         label[WEEKLY_END] = begins - since
         for kind in [NONE] if state_at_s is None else kinds:
-            if kind in (CHANGE, CHANGE_IN_BREAK) or not allowed(kind, label, numbers):
+            if kind >= CHANGE or not allowed(kind, label, numbers):
                 continue
             out = np.zeros(COLUMNS, dtype=np.int64)
             done = leave(
@@ -147,7 +151,7 @@ def starts_of(
                 out[WEEKLY_END] = left - since
             labels.append(out)
             info = np.zeros(INFO, dtype=np.int64)
-            info[[PARENT, KIND, OPENS, CLOSES]] = -1, kind, opens, closes
+            info[[PARENT, KIND, OPENS, CLOSES, LASTS]] = -1, kind, opens, closes, numbers[kind]
             infos.append(info)
     fixed = -NO_LIMIT if moves or state_at_s is None else state_at_s - since
     return Start(
@@ -163,7 +167,9 @@ def _sundays(
     """Return when to leave so that what is left of a week lasts till Monday, for some weeks."""
     at = earliest_s if state_at_s is None else state_at_s
     week = (at - monday_s) // WEEK_S
-    driven, last = math.ceil(state.driven_this_week_s), math.ceil(state.driven_last_week_s)
+    both = 2 if numbers[POOLED] else 1
+    driven = both * math.ceil(state.driven_this_week_s)
+    last = both * math.ceil(state.driven_last_week_s)
     found = []
     for later in range(WEEKS):
         begins = monday_s + (week + later + 1) * WEEK_S
@@ -180,18 +186,22 @@ def _as_of(state: DriverState, at_s: int, numbers: IntArray, monday_s: int) -> I
     broken = math.ceil(state.driven_since_break_s)
     label[TIME] = label[GONE_MOST] = at_s
     label[BROKEN] = label[WORKED] = broken
-    label[PART] = state.first_part_taken
+    label[PART] = state.first_part_taken and state.drivers == 1
+    label[OTHER_BROKEN] = broken if state.drivers == 2 else 0
     label[TODAY] = math.ceil(state.driven_today_s)
     label[DUTY] = duty
     label[DUTY_MOST] = at_s - duty
-    label[LONG_DAYS] = state.long_days_used
+    label[LONG_DAYS] = state.long_days_used + (label[TODAY] > numbers[DAY])
     label[REDUCED_USED] = state.reduced_rests_used
     label[WEEK_DRIVEN] = math.ceil(state.driven_this_week_s)
     label[LAST_WEEK] = math.ceil(state.driven_last_week_s)
-    if state.drivers == 2:
+    if state.drivers == 2 and numbers[POOLED]:
+        label[[TODAY, WEEK_DRIVEN, LAST_WEEK]] *= 2
+        label[LONG_DAYS] = 2 * state.long_days_used + (label[TODAY] > numbers[DAY])
+    elif state.drivers == 2:
         others = [OTHER_TODAY, OTHER_LONG_DAYS, OTHER_WEEK, OTHER_LAST_WEEK]
         label[others] = label[[TODAY, LONG_DAYS, WEEK_DRIVEN, LAST_WEEK]]
     label[WEEK] = (at_s - monday_s) // WEEK_S
     label[DUTY_WEEK] = (at_s - duty - monday_s) // WEEK_S
-    label[BESIDE] = 0 if broken else numbers[BESIDE_LENGTH]
+    label[BESIDE] = 0 if label[OTHER_BROKEN] else numbers[BESIDE_LENGTH]
     return label

@@ -18,16 +18,19 @@ from .label_search import (
     GONE_MOST,
     INFO,
     KIND,
+    LASTS,
     OPENS,
     PARENT,
     TIME,
 )  # fmt: skip
 from .numbers import (
+    APART,
     BREAK,
     CHANGE,
-    CHANGE_IN_BREAK,
+    CHANGE_RESTED,
     DAILY,
     FIRST,
+    NONE,
     PIECE,
     REDUCED,
     SECOND,
@@ -39,8 +42,7 @@ __all__ = ["Choice", "chosen", "timed"]
 
 PURPOSE = {
     FIRST: "first_part", SECOND: "second_part", BREAK: "break", REDUCED: "reduced_daily_rest",
-    DAILY: "daily_rest", WEEKLY: "weekly_rest", CHANGE: "change", CHANGE_IN_BREAK: "break",
-    PIECE: "break",
+    DAILY: "daily_rest", WEEKLY: "weekly_rest", PIECE: "break",
 }  # fmt: skip
 
 
@@ -52,6 +54,8 @@ class Choice:
     ----------
     kinds : int64 array, (n,)
         The kind of its pause.
+    lasts_s : int64 array, (n,)
+        How long that is at least [s].
     opens_s, closes_s : int64 array, (n,)
         Within which moments it leaves [s].
     rested_s : int64 array, (n,)
@@ -61,6 +65,7 @@ class Choice:
     """
 
     kinds: IntArray
+    lasts_s: IntArray
     opens_s: IntArray
     closes_s: IntArray
     rested_s: IntArray
@@ -99,10 +104,12 @@ def chosen(labels: IntArray, info: IntArray, label: int, hops: int, arrival_s: i
     for hop in range(hops - 1, -1, -1):
         rows[hop] = info[label]
         label = int(info[label, PARENT])
-        if rows[hop, KIND] in RESTS:
+        if APART[rows[hop, KIND]] in RESTS:
             rested[hop] = most
             most = int(labels[label, DUTY_MOST])
-    return Choice(rows[:, KIND], rows[:, OPENS], rows[:, CLOSES], rested, int(leaves))
+    return Choice(
+        rows[:, KIND], rows[:, LASTS], rows[:, OPENS], rows[:, CLOSES], rested, int(leaves)
+    )
 
 
 def timed(
@@ -129,7 +136,7 @@ def timed(
         None if the choices do not go together with that arrival.
     """
     n = road.hops
-    lengths = numbers[choice.kinds]
+    lengths = choice.lasts_s
     latest = _latest(road, choice, lengths, arrival_s)
     leaves = latest[0] = min(int(latest[0]), choice.departure_s)
     if shortest:
@@ -148,7 +155,7 @@ def timed(
     for hop in range(1, n):
         kind = int(choice.kinds[hop])
         leave = max(at + int(lengths[hop]), int(choice.opens_s[hop]))
-        if kind in RESTS:
+        if APART[kind] in RESTS:
             last = min(int(latest[hop]), int(choice.rested_s[hop]))
             leave = max(leave, min(last, at + int(road.stay_s[hop])))
         if leave > choice.closes_s[hop]:
@@ -156,8 +163,9 @@ def timed(
         if leave > at:
             forced = leave > at + int(lengths[hop]) and leave == choice.opens_s[hop]
             appointed = road.leave_s[hop] != FREE
-            pauses.append(_pause(hop, at, leave, kind, numbers, forced, appointed))
-        if kind in (CHANGE, CHANGE_IN_BREAK):
+            least = int(lengths[hop])
+            pauses.append(_pause(hop, at, leave, kind, least, numbers, forced, appointed))
+        if kind >= CHANGE:
             seat = 1 - seat
         drives[hop] = seat
         at = leave + int(road.drive_s[hop])
@@ -176,16 +184,18 @@ def _latest(road: Road, choice: Choice, lengths: IntArray, arrival_s: int) -> In
 
 
 def _pause(
-    point: int, start: int, end: int, kind: int, numbers: IntArray, forced: bool, appointed: bool
-) -> PlannedPause:
+    point: int, start: int, end: int, kind: int, least: int, numbers: IntArray, forced: bool,
+    appointed: bool,
+) -> PlannedPause:  # fmt: skip
     stands = end - start
     purposes = []
-    if kind == REDUCED and stands >= numbers[DAILY]:
-        kind = DAILY
-    if kind in PURPOSE:
-        purposes.append(PURPOSE[kind])
-    if kind == CHANGE_IN_BREAK:
+    pause = BREAK if kind == CHANGE_RESTED else APART[kind]
+    if pause == REDUCED and stands >= numbers[DAILY]:
+        pause = DAILY
+    if pause != NONE:
+        purposes.append(PURPOSE[pause])
+    if kind >= CHANGE:
         purposes.append("change")
     if forced or not purposes:
         purposes.append("company" if appointed else "ban")
-    return PlannedPause(point, start, end, tuple(purposes))
+    return PlannedPause(point, start, end, tuple(purposes), least)

@@ -86,7 +86,20 @@ def test_a_wait_for_a_ban_is_a_pause(net):
         assert moments[1] <= closed[0] or moments[0] >= closed[1]
 
 
-@pytest.mark.parametrize("seed", range(4))
+def test_two_drivers_who_both_have_driven_stand_until_one_is_rested(net):
+    """Half an hour is left to each; the way takes more than two hours."""
+    driver = {"drivers": 2, "driven_since_break_h": 4, "driven_today_h": 4}
+    trip = Trip("A", "Brescia", "Venezia", earliest_departure=SIX, driver=driver)
+    plan = planned(net, [trip])
+    assert not inspect_plan(plan)
+    (times,) = plan.timetable.vehicles
+    ready = times.earliest_departure_s
+    stood = times.arrival_s - ready - plan.trips[0].alone.time_s
+    # One sits beside the other while that drives on for as long as it may.
+    assert 15 * 60 <= stood <= 45 * 60
+
+
+@pytest.mark.parametrize("seed", range(6))
 def test_random_plans_break_nothing(net, seed):
     rng = np.random.default_rng(seed)
     places = ["Milano", "Torino", "Venezia", "Brescia", "Napoli", "Roma", "Bologna", "Genova"]
@@ -99,7 +112,7 @@ def test_random_plans_break_nothing(net, seed):
             "driven_since_break_min": driven, "driven_today_min": driven,
             "duty_min": driven + int(rng.integers(0, 120)),
             "reduced_rests_used": int(rng.integers(0, 4)),
-            "long_days_used": int(rng.integers(0, 3)),
+            "long_days_used": int(rng.integers(0, 3)), "drivers": 1 + (seed + k) % 2,
         }  # fmt: skip
         trips.append(Trip(f"v{k}", str(start), str(end), earliest_departure=first, driver=driver))
     plan = planned(net, trips, patience_min=float(rng.integers(0, 180)))
