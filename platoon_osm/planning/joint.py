@@ -41,6 +41,7 @@ from .timing.bans import with_hours
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
 from .timing.slower_approach import with_slower_approaches
+from .timing.waits_at_parkings import with_waits_at_parkings
 from .tunnels import passed_tunnels
 from .writing import written_plan
 from .zones_crossed import zones_crossed
@@ -204,6 +205,7 @@ def solve(problem: Problem) -> Plan:
         plan = with_slower_approaches(plan, network_below(net), vehicles)
     else:
         plan = timed(_by_astar(question))
+    plan = with_waits_at_parkings(plan, network_below(net), vehicles)
     return _with_rules(_with_limits(plan, net, vehicles, shut), problem)
 
 

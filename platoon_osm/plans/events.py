@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from .records import Event, Platoon, PlatoonPoint, Stretch
 
@@ -21,7 +21,9 @@ def platoon_events(
     """Return the events of a plan, platoon by platoon, each in driving order.
 
     A vehicle merges where it begins to drive with others and separates where it stops to; the
-    master, whose route the others join, does neither.
+    master, whose route the others join, does neither. Where whole platoons meet, or the master
+    meets one, those join who come without the master, or without the leader if no master is there;
+    where they part, those leave.
 
     Parameters
     ----------
@@ -39,22 +41,34 @@ def platoon_events(
     """
     masters = {platoon.master for platoon in platoons}
     found: dict[tuple[object, ...], Event] = {}
-    for index, way in enumerate(ways):
-        if index in masters:
-            continue
-        for kind, stretch in _changes(stretches, way):
+
+    def note(kind: str, stretch: int, movers: Sequence[int]) -> None:
+        for index in movers:
             if (point := point_at(index, kind, stretch)) is None:
                 continue
             company = stretches[stretch].company
             key = (kind, point.node, point.edge, point.share, company)
-            movers = (*(found[key].movers if key in found else ()), index)
-            found[key] = Event(
-                kind,
-                found[key].point if key in found else point,
-                movers,
-                tuple(other for other in company if other not in movers),
-                stretch,
-            )
+            known = found.get(key)
+            own = (*(known.movers if known else ()), index)
+            others = tuple(other for other in company if other not in own)
+            found[key] = Event(kind, known.point if known else point, own, others, stretch)
+
+    for index, way in enumerate(ways):
+        if index not in masters:
+            for kind, stretch in _changes(stretches, way):
+                note(kind, stretch, [index])
+    for kind, stretch, groups in _meetings(stretches, ways):
+        moved = {
+            index
+            for event in found.values()
+            if (event.kind, event.stretch) == (kind, stretch)
+            for index in event.movers
+        }
+        untold = [group for group in groups if not moved & set(group)]
+        host = _host(stretches[stretch], untold, masters)
+        for group in untold:
+            if group != host:
+                note(kind, stretch, group)
     order = {event: _driving_order(event, stretches, ways) for event in found.values()}
     return tuple(sorted(found.values(), key=lambda one: (*order[one], one.kind, one.movers)))
 
@@ -73,6 +87,33 @@ def _changes(stretches: Sequence[Stretch], way: Sequence[int]) -> list[tuple[str
     if together:
         found.append(("separation", way[-1]))
     return found
+
+
+def _meetings(
+    stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]
+) -> Iterator[tuple[str, int, list[tuple[int, ...]]]]:
+    """Yield where companies meet and part, and which they are before and after."""
+    before = {(index, k): way[place - 1] if place else None
+              for index, way in enumerate(ways) for place, k in enumerate(way)}  # fmt: skip
+    after = {(index, k): way[place + 1] if place + 1 < len(way) else None
+             for index, way in enumerate(ways) for place, k in enumerate(way)}  # fmt: skip
+    for number, stretch in enumerate(stretches):
+        for kind, beside in (("merge", before), ("separation", after)):
+            groups: dict[int, list[int]] = {}
+            for index in stretch.company:
+                # Who starts or arrives there comes, or goes, by itself.
+                place = beside[index, number]
+                groups.setdefault(-1 - index if place is None else place, []).append(index)
+            if len(groups) > 1:
+                yield kind, number, [tuple(some) for some in groups.values()]
+
+
+def _host(
+    stretch: Stretch, groups: Sequence[tuple[int, ...]], masters: Collection[int | None]
+) -> tuple[int, ...] | None:
+    """Return whom the others join or leave: those with a master, or with who drives foremost."""
+    order = sorted(stretch.vehicles, key=lambda index: index not in masters)
+    return next((group for index in order for group in groups if index in group), None)
 
 
 def _driving_order(

@@ -47,10 +47,15 @@ def law_lines(plan: Plan) -> list[str]:
         First the rules; empty for a plan without any and without planned pauses.
     """
     table = plan.timetable
-    if table is None or not (table.rules or any(times.pauses for times in table.vehicles)):
+    if table is None or not (table.rules or any(map(_is_planned, table.vehicles))):
         return []
     lines = [_vehicle(times, table.clock, table.rules) for times in table.vehicles]
     return [*rules_text(table), *lines]
+
+
+def _is_planned(times: VehicleTimes) -> bool:
+    """Return whether a vehicle stands for more than its company."""
+    return any(one.purposes != ("company",) for one in times.pauses)
 
 
 def rules_text(table: Timetable) -> list[str]:

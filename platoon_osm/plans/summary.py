@@ -9,12 +9,12 @@ from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
 from .credits import credits_of
 from .lateness import NOT_FEASIBLE, NOT_IN_TIME, status_lines
-from .law_lines import law_lines
+from .law_lines import law_lines, place_text
 from .leading import leading_text
 from .plan import Plan
 from .proof_sentence import proof_sentence
 from .records import Line
-from .standing import rested_s, waited_s
+from .standing import rested_s, standing, waited_s
 from .text_table import MOST_ROWS, listed, named, table_lines, width_of
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan, by_profile
@@ -213,8 +213,7 @@ def _events(
             clock = timetable.clock
             merges = f", {clock.text(times.legs[places[0]][0])}"
             separates = f", {clock.text(times.legs[places[-1]][1])}"
-            if times.waits[places[0]] >= MENTIONED_S:
-                merges += f" after waiting {duration(times.waits[places[0]])}"
+            merges += _waited(times, places[0])
         return [
             f"{named(vehicle.vehicle)} merges with {listed(partners)} at "
             f"{named(vehicle.merge.name)} "
@@ -225,6 +224,16 @@ def _events(
     if vehicle.role != "alone":
         return []
     return [f"{named(vehicle.vehicle)} stays alone: {fitted(vehicle.reason)}"]
+
+
+def _waited(times: VehicleTimes, leg: int) -> str:
+    """Tell how long a vehicle waits for those with whom it begins a leg, and where if not there."""
+    waits = [one for one in standing(times) if one.before <= leg and one.purposes == ("company",)]
+    if not waits or waits[-1].duration_s < MENTIONED_S:
+        return ""
+    place = waits[-1].place
+    where = f" at {place_text(place)}" if place is not None else ""
+    return f" after waiting {duration(waits[-1].duration_s)}{where}"
 
 
 def _access(vehicle: VehiclePlan) -> list[str]:

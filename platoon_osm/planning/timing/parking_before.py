@@ -15,10 +15,11 @@ from ...plans.plan import Plan
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 
-__all__ = ["parking_before"]
+__all__ = ["FARTHEST_BACK_M", "parking_before"]
 
 FARTHEST_BACK_M = 50_000.0
-"""A parking farther back than this is of no use to who stands [m]."""
+"""A parking farther back than this is of no use to who stands: much can happen on the rest of the
+way [m]."""
 
 
 def parking_before(plan: Plan, net: RoadNetwork, index: int, vehicle: Vehicle) -> str:
