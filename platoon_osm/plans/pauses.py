@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,8 +12,8 @@ from ..errors import ScenarioError, brief
 from ..kinds import is_number, is_whole
 
 __all__ = [
-    "PLACE_KINDS", "PURPOSES", "DriverDay", "Pause", "PausePlace", "driver_from_dict",
-    "pause_from_dict",
+    "PLACE_KINDS", "PURPOSES", "DriverDay", "Pause", "PausePlace", "driver_from_dict", "is_break",
+    "is_rest", "pause_from_dict",
 ]  # fmt: skip
 
 PURPOSES = (
@@ -26,6 +26,41 @@ hours of a road; "company" is waiting for others."""
 
 PLACE_KINDS = ("services", "rest_area", "truck_parking", "parking", "fuel", "junction", "origin")
 """Where a pause may be; at a "junction" no parking is known."""
+
+
+BREAKS = frozenset({"break", "first_part", "second_part"})
+
+
+def is_rest(purposes: Collection[str]) -> bool:
+    """Return whether a daily or weekly rest is among what a pause is for.
+
+    Parameters
+    ----------
+    purposes : collection of str
+        Of `PURPOSES`.
+
+    Returns
+    -------
+    bool
+        Reduced ones count.
+    """
+    return any(one.endswith("_rest") for one in purposes)
+
+
+def is_break(purposes: Collection[str]) -> bool:
+    """Return whether driving rules ask for a pause: as a break, a part of one, or a rest.
+
+    Parameters
+    ----------
+    purposes : collection of str
+        Of `PURPOSES`.
+
+    Returns
+    -------
+    bool
+        Not for a ban, company, or a change of drivers alone.
+    """
+    return is_rest(purposes) or not BREAKS.isdisjoint(purposes)
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,12 +133,12 @@ class Pause:
     @property
     def is_rest(self) -> bool:
         """Whether a daily or weekly rest is taken."""
-        return any(one.endswith("_rest") for one in self.purposes)
+        return is_rest(self.purposes)
 
     @property
     def is_break(self) -> bool:
         """Whether the driving rules ask for it, as a break, a part of one, or a rest."""
-        return self.is_rest or bool({"break", "first_part", "second_part"} & set(self.purposes))
+        return is_break(self.purposes)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,12 +9,15 @@ from typing import Any
 
 import pytest
 from po_valley import THREE, make_plan
+from rested_plans import corridor, corridor_with_breaks
 
 from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.plan import JointPlan
+from platoon_osm.plans.standing import rested_s
 from platoon_osm.report import comparison_document, report_document, write_comparison
+from platoon_osm.report.markup.quantities import clock_span
 
 Visit = Callable[..., Any]
 
@@ -166,3 +169,55 @@ def test_tables_keep_their_first_column_on_a_small_screen(page_file: Path, visit
         assert head.bounding_box()["width"] >= 120
         table.evaluate("e => { e.parentElement.scrollLeft = 500; }")
         assert head.bounding_box()["x"] >= 0
+
+
+# -- plans under driving rules ---------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def ruled() -> tuple[list[JointPlan], RoadNetwork]:
+    """The same corridor without rules and with breaks, the latter twice."""
+    (with_breaks, net) = corridor_with_breaks()
+    return [corridor(), with_breaks, with_breaks], net
+
+
+def test_breaks_and_hours_are_compared(ruled: tuple[list[JointPlan], RoadNetwork]) -> None:
+    plans, net = ruled
+    none, other, same = (
+        comparison_document([plans[k], plans[1]], net)["sets"][0]["differences"][1]
+        for k in (0, 0, 1)
+    )
+    assert (same["rests_s"], same["under_way_s"]) == (0, 0)
+    assert none["rests_s"] is other["rests_s"] is None
+    hours = [
+        sum(times.arrival_s - times.departure_s for times in plan.timetable.vehicles)
+        for plan in plans[:2]
+    ]
+    assert other["under_way_s"] == pytest.approx(hours[1] - hours[0])
+    assert other["under_way_s"] > 45 * 60
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 390])
+def test_the_table_tells_the_law(
+    ruled: tuple[list[JointPlan], RoadNetwork], visit: Visit, tmp_path: Path, width: int
+) -> None:
+    plans, net = ruled
+    path = tmp_path / "law.html"
+    titles = ["Corridor, rules none", "Corridor, rules eu561", "Corridor, again"]
+    write_comparison(plans, net, path, titles=titles)
+    page = visit(path, width, 900, wait_for=None).page
+    heads = page.locator(".sums thead th").all_text_contents()
+    at = [heads.index(one) - 1 for one in ("Breaks, rests", "Door to door", "Law")]
+    rows = [row.locator("td").all_text_contents() for row in page.locator(".sums tbody tr").all()]
+    stood = sum(map(rested_s, plans[1].timetable.vehicles))
+    assert [rows[0][k] for k in (at[0], at[2])] == ["\u2013", "\u2013"]
+    assert clock_span(stood) in rows[1][at[0]]
+    assert rows[1][at[2]] in ("kept", "not kept")
+    assert "+" in rows[1][at[1]]
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    box = page.locator(".table-box:has(.sums)")
+    assert box.evaluate("e => e.scrollWidth <= e.clientWidth")
+    # What all titles begin with is told once: heads of narrow columns show what differs.
+    own = page.locator("table.costs:not(.sums) thead th.number").all_inner_texts()
+    assert [" ".join(one.split()) for one in own] == ["rules none", "rules eu561", "again"]

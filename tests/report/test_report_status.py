@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from datetime import datetime, timedelta
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from bundled import italy
 from plan_kinds import KINDS, plan_kind
 
-from platoon_osm.plans.lateness import status_lines, who_is_late
+from platoon_osm.costs.paper import paper_weights
+from platoon_osm.planning.joint import plan_joint
+from platoon_osm.plans.lateness import NOT_IN_TIME, status_lines, who_is_late
+from platoon_osm.plans.trip import Trip
 from platoon_osm.report import report_document, write_comparison, write_flows, write_html
 from platoon_osm.report.document.status import lateness
 from platoon_osm.report.document.status import status as page_status
@@ -212,3 +217,16 @@ def test_without_a_platoon_none_is_spoken_of(kind: str, visit: Visit, tmp_path: 
         assert "platoon" not in spoken.lower()
         assert "merge" not in spoken.lower()
         opened.check(tmp_path / name)
+
+
+def test_who_is_late_within_the_law_is_told_once() -> None:
+    start = datetime(2026, 3, 2, 6)
+    trips = [Trip("A", "Milano", "Napoli", start, None, start + timedelta(hours=10))]
+    net = italy()
+    plan = plan_joint(net, paper_weights(net), trips, rules="eu561")
+    assert any(remark.startswith(NOT_IN_TIME) for remark in plan.remarks)
+    told = [(one["kind"], one["text"]) for one in report_document(plan, net)["status"]]
+    late = [text for kind, text in told if kind == "bad"]
+    assert len(late) == 1
+    assert late[0].count("late even alone") == 1
+    assert late[0].endswith("late even alone; give earlier departures or later arrivals")

@@ -7,7 +7,7 @@ windows differ is said. Costs of other trips say nothing of each other.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from ...plans.plan import Plan
@@ -16,7 +16,7 @@ from ..language.speech import say
 from .model import Document
 from .wording import joined
 
-__all__ = ["AlikePlans", "Difference", "alike", "alike_plans"]
+__all__ = ["AlikePlans", "Difference", "alike", "alike_plans", "rests_s", "under_way_s"]
 
 SAME_DEGREES = 5
 """Decimals to which places agree: about a metre."""
@@ -36,8 +36,10 @@ class Difference:
         Driven by all vehicles.
     fuel_l : float
         Of all vehicles.
-    waiting_s : float or None
-        On the road; None if one of the two has no times.
+    waiting_s, under_way_s : float or None
+        On the road, and from door to door; None if one of the two has no times.
+    rests_s : float or None
+        Of breaks and rests; None if one of the two has no driving rules.
     """
 
     cost: float | None
@@ -45,6 +47,8 @@ class Difference:
     length_m: float
     fuel_l: float
     waiting_s: float | None
+    under_way_s: float | None = None
+    rests_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,17 +157,60 @@ def _costs_of(plan: Plan) -> object:
 
 
 def _difference(own: Document, base: Document, counted_alike: bool) -> Difference:
-    waiting = None
-    if own.schedule is not None and base.schedule is not None:
-        waiting = own.schedule.waiting_s - base.schedule.waiting_s
     return Difference(
         cost=own.totals.joint_cost - base.totals.joint_cost if counted_alike else None,
         saving=own.totals.saving - base.totals.saving,
         length_m=sum(one.length_m for one in own.vehicles)
         - sum(one.length_m for one in base.vehicles),
         fuel_l=sum(one.fuel_l for one in own.vehicles) - sum(one.fuel_l for one in base.vehicles),
-        waiting_s=waiting,
+        waiting_s=_less(own, base, _waiting_s),
+        under_way_s=_less(own, base, under_way_s),
+        rests_s=_less(own, base, rests_s),
     )
+
+
+def _less(own: Document, base: Document, of: Callable[[Document], float | None]) -> float | None:
+    mine, theirs = of(own), of(base)
+    return None if mine is None or theirs is None else mine - theirs
+
+
+def _waiting_s(plan: Document) -> float | None:
+    return None if plan.schedule is None else plan.schedule.waiting_s
+
+
+def under_way_s(plan: Document) -> float | None:
+    """Return how long all vehicles are under way, from door to door.
+
+    Parameters
+    ----------
+    plan : Document
+        Of a plan.
+
+    Returns
+    -------
+    float or None
+        Seconds; None without times.
+    """
+    days = [one.times for one in plan.vehicles if one.times is not None]
+    return sum(day.arrival_s - day.departure_s for day in days) if days else None
+
+
+def rests_s(plan: Document) -> float | None:
+    """Return how long all vehicles stand for breaks and rests.
+
+    Parameters
+    ----------
+    plan : Document
+        Of a plan.
+
+    Returns
+    -------
+    float or None
+        Seconds; None without driving rules.
+    """
+    if plan.law is None:
+        return None
+    return sum(clocks.breaks_s + clocks.rests_s for clocks in plan.law.vehicles)
 
 
 def _remarks(

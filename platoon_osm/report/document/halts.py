@@ -15,6 +15,7 @@ from ...plans.pauses import Pause
 from ...plans.plan import Plan
 from ...plans.standing import standing
 from ...plans.timetable import VehicleTimes
+from .stands import kind_of
 
 __all__ = ["Halt", "halts_of"]
 
@@ -66,21 +67,9 @@ class Halt:
         return self.end_s - self.begin_s
 
     @property
-    def is_rest(self) -> bool:
-        """Whether a daily or weekly rest is taken."""
-        return any(one.endswith("_rest") for one in self.purposes)
-
-    @property
-    def is_break(self) -> bool:
-        """Whether driving rules ask for it: a break, a part of one, or a rest."""
-        return self.is_rest or bool({"break", "first_part", "second_part"} & set(self.purposes))
-
-    @property
     def what(self) -> str:
         """What it is drawn as: "rest", "break", "ban", "change" or "wait", what matters most."""
-        if self.is_rest or self.is_break:
-            return "rest" if self.is_rest else "break"
-        return next((one for one in ("ban", "change") if one in self.purposes), "wait")
+        return kind_of(self.purposes)
 
     @property
     def has_parking(self) -> bool:

@@ -78,7 +78,7 @@ def pause_marks(found: Findings) -> tuple[EventMark, ...]:
 def _is_told(pause: Pause) -> bool:
     if pause.duration_s < MENTIONED_S:
         return False
-    return kind_of(pause) != "wait" or bool(pause.place and pause.place.has_parking)
+    return kind_of(pause.purposes) != "wait" or bool(pause.place and pause.place.has_parking)
 
 
 def _where(found: Findings, index: int, pause: Pause) -> tuple[str, float, float]:
@@ -105,7 +105,7 @@ def _mark(found: Findings, key: Key, some: list[tuple[int, Pause]]) -> EventMark
     table = found.plan.timetable
     assert table is not None
     return EventMark(
-        kind=kind_of(pause),
+        kind=kind_of(pause.purposes),
         lon=lon,
         lat=lat,
         name=name,

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from ...kinds import is_number
 from ...network.road_network import RoadNetwork
 from ...plans.credits import credits_of
+from ...plans.lateness import NOT_FEASIBLE
 from ...plans.leading import leading_text
 from ...plans.plan import Plan
 from ...shown_text import fitted, shown
@@ -28,9 +29,6 @@ METHODS = {
 OBJECTIVES = {"member": "about.of-member", "system": "about.of-system"}
 
 KINDS = {"bound": "proof.bound", "heuristic": "proof.heuristic"}
-
-NOT_FEASIBLE = "not feasible"
-"""Begins the remarks that the page has told already, first of all."""
 
 PROOF_KEYS = frozenset(
     {"kind", "conditions", "bound", "gap", "excess", "solo_excess", "optimum", "any_plan"}

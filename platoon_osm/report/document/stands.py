@@ -5,7 +5,9 @@ A gap without a record of a pause, or what a pause leaves of it, is a wait for o
 
 from __future__ import annotations
 
-from ...plans.pauses import Pause
+from collections.abc import Collection
+
+from ...plans.pauses import Pause, is_break, is_rest
 from ...plans.standing import standing
 from ...plans.timetable import Timetable, VehicleTimes
 from .model_law import Standing
@@ -13,24 +15,24 @@ from .model_law import Standing
 __all__ = ["all_waited_s", "kind_of", "stands_of", "waited_s"]
 
 
-def kind_of(pause: Pause) -> str:
+def kind_of(purposes: Collection[str]) -> str:
     """Return what a pause is drawn as.
 
     Parameters
     ----------
-    pause : Pause
-        Of a plan.
+    purposes : collection of str
+        Of a `Pause`.
 
     Returns
     -------
     str
         As the kind of a `Standing`: that of the purpose which asks for most.
     """
-    if pause.is_rest:
+    if is_rest(purposes):
         return "rest"
-    if pause.is_break:
+    if is_break(purposes):
         return "break"
-    return next((kind for kind in ("ban", "change") if kind in pause.purposes), "wait")
+    return next((kind for kind in ("ban", "change") if kind in purposes), "wait")
 
 
 def _restarts(pause: Pause) -> bool:
@@ -52,7 +54,7 @@ def stands_of(times: VehicleTimes) -> tuple[Standing, ...]:
         In order of time; together they are its gaps between legs.
     """
     return tuple(
-        Standing(kind_of(pause), pause.start_s, pause.end_s, _restarts(pause))
+        Standing(kind_of(pause.purposes), pause.start_s, pause.end_s, _restarts(pause))
         for pause in standing(times)
     )
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from ...driving.rules import RULES
 from ...plans.clock import duration
-from ...plans.lateness import Lateness, who_is_late
+from ...plans.lateness import NOT_FEASIBLE, NOT_IN_TIME, Lateness, who_is_late
 from ...shown_text import fitted
 from ..language.plan_sentences import in_language
 from ..language.speech import late_by, number, say
@@ -22,15 +22,8 @@ from .wording import MOST_NAMED, joined
 
 __all__ = ["lateness", "law_name", "status"]
 
-LATENESS = "not feasible in time"
-"""Begins the remarks that say who is late."""
-
 BEYOND = {"spell": "status.spell", "day": "status.day", "duty": "status.duty"}
 NAMES = {"eu561": "law.eu561", "us395": "law.us395"}
-
-
-NOT_FEASIBLE = "not feasible"
-"""Begins the remarks of plans that somebody cannot be in time by, or within the law."""
 
 
 def status(
@@ -67,9 +60,10 @@ def status(
         yield Status("bad", "; ".join(parts))
     elif found.asked:
         yield Status("good", say("status.in-time", n=len(called)))
-    others = [one for one in remarks if one.startswith(NOT_FEASIBLE)]
-    for remark in others:
-        if not remark.startswith(LATENESS + ":"):
+    for remark in remarks:
+        # Who is late has been told.
+        told = found.late and remark.startswith(NOT_IN_TIME)
+        if remark.startswith(NOT_FEASIBLE) and not told:
             text = fitted(in_language(remark))
             yield Status("bad", text[:1].upper() + text[1:])
     if law is not None:
@@ -101,7 +95,7 @@ def _alone(found: Lateness, called: Sequence[str]) -> Iterator[str]:
 
 def _gives(found: Lateness, remarks: Sequence[str]) -> Iterator[str]:
     """Yield what would have to give, where the planner has said so."""
-    if any(one.startswith(LATENESS + ":") for one in remarks):
+    if any(one.startswith(NOT_IN_TIME) for one in remarks):
         alone = len(found.even_alone) == len(found.late)
         yield say("status.give-other-times" if alone else "status.give-other-company")
 

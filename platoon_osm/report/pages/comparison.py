@@ -299,8 +299,18 @@ def _by_vehicle(plans: Sequence[Document], key: str) -> Tree:
                 },
             )
         )
-    heads = tuple(Piece("comparison-head", {"title": plan.title}) for plan in plans)
+    titles = _what_differs([plan.title for plan in plans])
+    heads = tuple(Piece("comparison-head", {"title": title}) for title in titles)
     unit = plans[0].cost_unit.label
     return Piece(
         "comparison-vehicles", {"key": key, "heads": heads, "rows": tuple(rows), "unit": unit}
     )
+
+
+def _what_differs(titles: Sequence[str]) -> list[str]:
+    """Return titles without the words before a comma with which all begin, or as they are."""
+    parts = [title.split(", ") for title in titles]
+    same = 0
+    while all(len(own) > same + 1 and own[same] == parts[0][same] for own in parts):
+        same += 1
+    return [", ".join(own[same:]) for own in parts]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..document.alike_trips import AlikePlans, Difference
+from ..document.alike_trips import AlikePlans, Difference, rests_s, under_way_s
 from ..document.model import Document
 from ..language.speech import number, say
 from ..markup.fragments import NOTHING, Piece, Tree
@@ -20,6 +20,8 @@ from ..markup.quantities import (
 )
 
 __all__ = ["sums_table"]
+
+NONE = "\u2013"
 
 
 class _Cell(NamedTuple):
@@ -45,24 +47,16 @@ def sums_table(found: AlikePlans, plans: tuple[Document, ...], key: str) -> Piec
     Returns
     -------
     Piece
-        A table; waiting and lateness have a column where there is any time, or anybody late.
+        A table; waiting, lateness and the law have columns where there are times, anybody late, or
+        driving rules.
     """
     shown = [plans[place] for place in found.plans]
-    timed = any(plan.schedule is not None for plan in shown)
-    late = any(vehicle.is_late for plan in shown for vehicle in plan.vehicles)
-    together = any(plan.platoons for plan in shown)
-    keys = ["table.alone", "table.joint", "table.saving", "compare.distance"]
-    keys += ["compare.in-platoon"] * together + ["compare.fuel"]
-    keys += ["compare.waiting"] * timed + ["compare.late"] * late
+    keys = _keys(shown)
     labels = [say(key) for key in keys]
     rows = []
     for place, plan, difference in zip(found.plans, shown, found.differences, strict=True):
-        wanted = (True, True, True, True, together, True, timed, late)
-        cells = [
-            cell
-            for cell, is_shown in zip(_cells(plan, difference), wanted, strict=True)
-            if is_shown
-        ]
+        known = _cells(plan, difference)
+        cells = [known[key] for key in keys]
         is_base = place == found.baseline and len(shown) > 1
         rows.append(
             Piece(
@@ -94,41 +88,61 @@ def _piece(cell: _Cell, label: str) -> Piece:
     return Piece("comparison-cell", {"text": cell.text, "differs": differs, "label": label})
 
 
-def _cells(plan: Document, difference: Difference | None) -> Iterator[_Cell]:
-    totals, vehicles = plan.totals, plan.vehicles
-    length_m = sum(vehicle.length_m for vehicle in vehicles)
-    fuel_l = sum(vehicle.fuel_l for vehicle in vehicles)
+def _keys(plans: Sequence[Document]) -> list[str]:
+    """Return the texts of the columns that these plans need."""
+    timed = any(plan.schedule is not None for plan in plans)
+    late = any(vehicle.is_late for plan in plans for vehicle in plan.vehicles)
+    together = any(plan.platoons for plan in plans)
+    ruled = any(plan.law is not None for plan in plans)
+    return [
+        "table.alone", "table.joint", "table.saving", "compare.distance",
+        *(["compare.in-platoon"] if together else []),
+        "compare.fuel",
+        *(["compare.waiting"] if timed else []),
+        *(["compare.rests", "compare.under-way", "compare.law"] if ruled else []),
+        *(["compare.late"] if late else []),
+    ]  # fmt: skip
+
+
+def _cells(plan: Document, difference: Difference | None) -> dict[str, _Cell]:
+    """Return the cells of all columns, by their texts."""
+    totals, vehicles, d = plan.totals, plan.vehicles, difference
     late = sum(vehicle.is_late for vehicle in vehicles)
     waiting_s = None if plan.schedule is None else plan.schedule.waiting_s
-    waiting = "\u2013" if waiting_s is None else clock_span(waiting_s)
-    platoon = kilometres(totals.platoon_road_m)
-    of_all = say("compare.late-of", n=late, all=number(len(vehicles)))
-    if difference is None:
-        yield _Cell(totals.text.alone)
-        yield _Cell(totals.text.joint)
-        yield _Cell(totals.text.share)
-        yield _Cell(kilometres(length_m))
-        yield _Cell(platoon)
-        yield _Cell(litres(fuel_l))
-        yield _Cell(waiting)
-        yield _Cell(of_all)
-        return
-    yield _Cell(totals.text.alone)
-    cost = difference.cost
-    yield _Cell(
-        totals.text.joint,
-        "" if cost is None else _cost(cost, plan),
-        "even" if cost is None else gain_or_loss(-cost),
-    )
-    points = signed(number(difference.saving * 100, 1))
-    yield _Cell(
-        totals.text.share, say("compare.points", number=points), gain_or_loss(difference.saving)
-    )
-    yield _Cell(kilometres(length_m), _signed(kilometres(difference.length_m)))
-    yield _Cell(platoon)
-    yield _Cell(litres(fuel_l), _signed(litres(difference.fuel_l)))
-    yield _Cell(waiting, "" if difference.waiting_s is None else _span(difference.waiting_s))
-    yield _Cell(of_all)
+    length_m = kilometres(sum(vehicle.length_m for vehicle in vehicles))
+    fuel_l = litres(sum(vehicle.fuel_l for vehicle in vehicles))
+    joint, saving = _Cell(totals.text.joint), _Cell(totals.text.share)
+    if d is not None:
+        points = say("compare.points", number=signed(number(d.saving * 100, 1)))
+        saving = _Cell(totals.text.share, points, gain_or_loss(d.saving))
+        if d.cost is not None:
+            joint = _Cell(totals.text.joint, _cost(d.cost, plan), gain_or_loss(-d.cost))
+    return {
+        "table.alone": _Cell(totals.text.alone),
+        "table.joint": joint,
+        "table.saving": saving,
+        "compare.distance": _Cell(length_m, _signed(kilometres(d.length_m)) if d else ""),
+        "compare.in-platoon": _Cell(kilometres(totals.platoon_road_m)),
+        "compare.fuel": _Cell(fuel_l, _signed(litres(d.fuel_l)) if d else ""),
+        "compare.waiting": _time(waiting_s, d.waiting_s if d else None),
+        "compare.rests": _time(rests_s(plan), d.rests_s if d else None),
+        "compare.under-way": _time(under_way_s(plan), d.under_way_s if d else None),
+        "compare.law": _Cell(_law(plan)),
+        "compare.late": _Cell(say("compare.late-of", n=late, all=number(len(vehicles)))),
+    }
+
+
+def _law(plan: Document) -> str:
+    if plan.law is None:
+        return NONE
+    kept = not any(clocks.excess for clocks in plan.law.vehicles)
+    return say("compare.law-kept" if kept else "compare.law-broken")
+
+
+def _time(seconds: float | None, differs_s: float | None) -> _Cell:
+    if seconds is None:
+        return _Cell(NONE)
+    return _Cell(clock_span(seconds), "" if differs_s is None else _span(differs_s))
 
 
 def _cost(cost: float, plan: Document) -> str:

@@ -205,7 +205,7 @@ class Teller:
             assert self.clock is not None
             if not aside:
                 yield pause_at(halt, self.names)
-            if not aside or halt.is_rest or len(step.pauses) > 1:
+            if not aside or halt.what == "rest" or len(step.pauses) > 1:
                 yield from_to(halt, self.clock)
             yield from pause_remarks(halt)
 
