@@ -71,9 +71,11 @@ def table_of_moments(
     Returns
     -------
     Timetable
-        Legs begin at whole seconds and last as long as they are driven.
+        Legs begin at whole seconds and last as long as they are driven, less the part of a second
+        by which sums are shorter.
     """
     legs: list[list[Span]] = []
+    ends: dict[int, float] = {}
     for way, own, one in zip(plan.ways, points, driven, strict=True):
         left = left_at(one)
         spans: list[Span] = []
@@ -83,7 +85,15 @@ def table_of_moments(
             if spans and 0 < spans[-1][1] - begin < 1:
                 spans[-1] = (spans[-1][0], begin)
             spans.append((begin, begin + plan.stretches[k].drive_s))
+        if 0 < spans[-1][1] - one.trip.arrival_s < 1:
+            spans[-1] = (spans[-1][0], float(one.trip.arrival_s))
+        for k, (_, end) in zip(way, spans, strict=True):
+            ends[k] = min(ends.get(k, end), end)
         legs.append(spans)
+    legs = [
+        [(begin, ends[k]) for k, (begin, _) in zip(way, spans, strict=True)]
+        for way, spans in zip(plan.ways, legs, strict=True)
+    ]
     shift = math.floor(min(one.trip.departure_s for one in driven))
     asked = [window.moved(shift) for window in legal.asked]
     vehicles = tuple(

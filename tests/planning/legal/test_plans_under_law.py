@@ -99,6 +99,20 @@ def test_two_drivers_who_both_have_driven_stand_until_one_is_rested(net):
     assert 15 * 60 <= stood <= 45 * 60
 
 
+@pytest.mark.parametrize("way", [("Verona", "Roma"), ("Parma", "Firenze")])
+def test_whole_seconds_make_nobody_late_for_company(net, way):
+    # Over Sunday midnight UTC the moments are those of the search; the master has no second left.
+    night = datetime(2026, 3, 1, 22, 30)
+    trips = [
+        Trip("A", "Milano", "Roma", night, flexibility_min=0),
+        Trip("B", *way, night, flexibility_min=700),
+    ]
+    plan = planned(net, trips, master="A")
+    assert plan.saving > 0
+    assert plan.timetable.feasible
+    assert not inspect_plan(plan)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_random_plans_break_nothing(net, seed):
     rng = np.random.default_rng(seed)
