@@ -44,7 +44,9 @@ TIME, BROKEN, PART, WORKED, TODAY, DUTY, DUTY_MOST, LONG_DAYS, REDUCED_USED = ra
 WEEK_DRIVEN, LAST_WEEK, WEEK, WEEKLY_END, GONE, GONE_MOST, BESIDE = range(9, 16)
 OTHER_TODAY, OTHER_LONG_DAYS, OTHER_WEEK, OTHER_LAST_WEEK, DUTY_WEEK = range(16, 21)
 OTHER_BROKEN = 21
-COLUMNS = 22
+# Long days but today, and when to be here at the latest if all that follows is driving and pauses.
+BEFORE, ENDS = 22, 23
+COLUMNS = 24
 
 # What is kept of how it came about: its parent, its kind of pause, when it might then leave, and
 # how long it pauses at least.
@@ -337,6 +339,35 @@ def _drive(
     return True
 
 
+def _ask_less(a: IntArray, seconds: int, clock: int, latest: int, p: IntArray) -> None:
+    """Let a label have no more left than it can make use of till the end.
+
+    Its `ENDS` less what elapses from a departure or the beginning of a duty period is the latest
+    that this may be moved to: the rest arrives too late.
+    """
+    a[DUTY_MOST] = min(a[DUTY_MOST], a[ENDS] - a[DUTY])
+    a[GONE_MOST] = min(a[GONE_MOST], a[ENDS] - a[GONE])
+    if p[WEEKLY_DUE] < NO_LIMIT:
+        a[WEEKLY_END] = min(a[WEEKLY_END], latest - p[WEEKLY_DUE])
+    rest = min(p[REDUCED], p[DAILY])
+    if p[CHANGE] < NO_LIMIT or rest >= NO_LIMIT or rest == 0:
+        return
+    rests = (latest - a[TIME] - seconds) // rest
+    a[REDUCED_USED] = max(a[REDUCED_USED], p[MOST_REDUCED] - rests - 1)
+    days = min(rests, clock // (p[DAY] + 1)) + (a[TODAY] + clock > p[DAY])
+    a[BEFORE] = max(a[BEFORE], p[MOST_LONG] - days)
+
+
+def _covers_week(a: IntArray, b: IntArray) -> bool:
+    """Return whether a label that waits for the week of another has driven no more in it."""
+    last, other_last = 0, 0
+    if a[WEEK] == b[WEEK] - 1:
+        last, other_last = a[WEEK_DRIVEN], a[OTHER_WEEK]
+    return bool(
+        last <= b[WEEK_DRIVEN] + b[LAST_WEEK] and other_last <= b[OTHER_WEEK] + b[OTHER_LAST_WEEK]
+    )
+
+
 def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekly: int) -> bool:
     """Return whether a label that is not later than another is in nothing behind it."""
     if a[BROKEN] > b[BROKEN] or a[PART] < b[PART] or a[TODAY] > b[TODAY] or a[DUTY] > b[DUTY]:
@@ -345,7 +376,7 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
         return False
     if a[DUTY_MOST] < b[DUTY_MOST] or a[REDUCED_USED] > b[REDUCED_USED]:
         return False
-    if a[LONG_DAYS] > b[LONG_DAYS] or a[WORKED] > b[WORKED]:
+    if a[BEFORE] > b[BEFORE] or a[WORKED] > b[WORKED]:
         return False
     if (a[LONG_DAYS] > 0 or a[OTHER_LONG_DAYS] > 0) and a[DUTY_WEEK] > b[DUTY_WEEK]:
         return False
@@ -361,7 +392,7 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
         return False
     if weeks == 1:
         if a[WEEK] != b[WEEK]:
-            return False
+            return place and a[WEEK] < b[WEEK] and _covers_week(a, b)
         later = b[TIME] - a[TIME]
         # Who is earlier drives more of what follows before Monday, unless it can wait.
         more = 0 if place else later
@@ -466,7 +497,8 @@ def search(
     drive_s: IntArray, clock_s: IntArray, stay_s: IntArray, leave_s: IntArray,
     windows_first: IntArray, windows_s: IntArray, numbers: IntArray, kinds: IntArray,
     begins: IntArray, begins_info: IntArray, monday: int, fixed_weekly_end: int,
-    latest: int, late: bool, weeks: int, weekly: int, width: int, dominance: bool,
+    latest: int, leaves: int, late: bool, weeks: int, weekly: int, width: int, openings: int,
+    dominance: bool,
 ) -> tuple[IntArray, IntArray, IntArray]:  # fmt: skip
     """Return the labels of each point.
 
@@ -488,12 +520,16 @@ def search(
         The end of a weekly rest that does not move with the departure [s].
     latest : int
         When the destination has to be reached [s].
+    leaves : int
+        The origin need not be left before that, where `late` [s]: a trip that does so is known.
     late : bool
         Whether a later departure is worth a label.
     weeks, weekly : int
         1 where driving in a week, or a weekly rest that is due, can matter.
     width : int
         How many labels of each point are kept, the most promising; 0 for all.
+    openings : int
+        Of how many windows a pause is tried for, the first that it can be over in; 0 for all.
     dominance : bool
         Whether labels are dropped for others.
 
@@ -529,6 +565,7 @@ def search(
     found = np.zeros((256, COLUMNS), np.int64)
     found_info = np.zeros((256, INFO), np.int64)
     order = np.zeros(256, np.int64)
+    need = np.zeros(COLUMNS, np.int64)
     total = 0
     for k in range(n):
         count = 0
@@ -550,7 +587,10 @@ def search(
                     regular = max(1, windows_first[k + 1] - windows_first[k])
                     if weeks == 1 and p[CALENDAR] == 1 and stay_s[k] > 0 and leave_s[k] == FREE:
                         extra = 2
+                tried = 0
                 for opening in range(regular + extra):
+                    if openings > 0 and tried >= openings and opening < regular:
+                        continue
                     found = _grown(found, count + 2)
                     found_info = _grown(found_info, count + 2)
                     out = found[count]
@@ -605,6 +645,7 @@ def search(
                         )  # fmt: skip
                         if not done:
                             continue
+                        tried += 1
                         found_info[count, PARENT] = label
                         found_info[count, KIND] = kind
                         found_info[count, OPENS] = opens
@@ -617,6 +658,14 @@ def search(
                     bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
                     if out[TIME] + bound > latest:
                         continue
+                    # Waiting for Monday moves departures, what is driven and paused does not.
+                    if weeks == 1:
+                        bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, 0)
+                    ends = latest - bound
+                    if late and min(out[GONE_MOST], ends - out[GONE]) < leaves:
+                        continue
+                    out[ENDS] = ends
+                    out[BEFORE] = out[LONG_DAYS] - (out[TODAY] > p[DAY])
                     at = appointment[k + 1]
                     if at < n:
                         bound = _least_left(
@@ -638,10 +687,12 @@ def search(
         for position in range(count):
             label = order[position]
             b = found[label]
+            need[:] = b
+            _ask_less(need, left_s[k + 1], left_clock[k + 1], latest, p)
             covered = False
             if dominance:
                 for other in range(first[k + 1], total):
-                    if _covers(kept[other], b, place, late, weeks, weekly):
+                    if _covers(kept[other], need, place, late, weeks, weekly):
                         covered = True
                         break
             if covered:
@@ -675,7 +726,7 @@ def search(
 
 
 HELPERS = (
-    allowed, lasts, _change_seats, leave, _drive, _covers, _least_left, _sunday_start, _by_time,
-    _grown,
+    allowed, lasts, _change_seats, leave, _drive, _ask_less, _covers_week, _covers, _least_left,
+    _sunday_start, _by_time, _grown,
 )  # fmt: skip
 """What the search calls: to be made known to the compiler before it."""

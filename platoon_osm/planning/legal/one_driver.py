@@ -59,6 +59,9 @@ SHARED_WIDTH = 300
 WIDTH = 12
 """Labels of each point that are kept in the first, narrow search."""
 
+OPENINGS = 2
+"""Windows that it tries for each pause."""
+
 LOOK_BACK = 3
 """How many times its driving time before the arrival a trip's departure is first looked for."""
 
@@ -338,10 +341,24 @@ class _Search:
             leaves = min(latest_s, arrival_s)
             return LegalTrip(leaves, leaves) if leaves >= earliest_s else None
         start = self._start(state_at_s, earliest_s, latest_s)
-        labels, info, first = self._widest(start, arrival_s, late=True)
+        narrow = self._run(start, arrival_s, late=True, width=WIDTH)
+        known = self._latest_trip(narrow, arrival_s, aim)
+        if self._is_whole(narrow):
+            return known
+        least = -NO_LIMIT if known is None else known.departure_s
+        every = self._widest(start, arrival_s, late=True, leaves_s=least)
+        return self._latest_trip(every, arrival_s, aim) or known
+
+    def _is_whole(self, found: tuple[IntArray, IntArray, IntArray]) -> bool:
+        """Return whether a narrow search has left nothing out."""
+        return len(self.windows[1]) == 0 and int(np.diff(found[2][1:]).max()) < WIDTH
+
+    def _latest_trip(
+        self, found: tuple[IntArray, IntArray, IntArray], arrival_s: int, aim: Aim
+    ) -> LegalTrip | None:
+        """Return the trip of those found that leaves last."""
+        labels, info, first = found
         low, high = int(first[-2]), int(first[-1])
-        if low == high:
-            return None
         ends = labels[low:high]
         spare = arrival_s - ends[:, TIME]
         leaves = np.minimum(ends[:, GONE_MOST], ends[:, TIME] - ends[:, GONE] + spare)
@@ -371,15 +388,18 @@ class _Search:
             if widest:
                 labels, _, first = self._widest(start, bound, late=False)
             else:
-                labels, _, first = self._run(start, bound, late=False, width=WIDTH)
+                narrow = self._run(start, bound, late=False, width=WIDTH)
+                labels, _, first = narrow
             low, high = int(first[-2]), int(first[-1])
             if low < high:
                 bound = min(bound, int(labels[low:high, TIME].min()))
                 known = True
+            if self._is_whole(narrow):
+                break
         return bound if known else None
 
     def _widest(
-        self, start: Start, arrival_s: int, late: bool
+        self, start: Start, arrival_s: int, late: bool, leaves_s: int = -NO_LIMIT
     ) -> tuple[IntArray, IntArray, IntArray]:
         """Run with all labels, or as many as a long road lets one keep."""
         widths: tuple[int, ...] = (0,)
@@ -388,7 +408,7 @@ class _Search:
         elif self.numbers[CHANGE] < NO_LIMIT and not self.pooled and self.road.hops > MANY_TO_SHARE:
             widths = (SHARED_WIDTH,)
         for width in widths:
-            found = self._run(start, arrival_s, late, width)
+            found = self._run(start, arrival_s, late, width, leaves_s)
             if found[2][-2] < found[2][-1]:
                 break
         return found
@@ -416,7 +436,7 @@ class _Search:
         )  # fmt: skip
 
     def _run(
-        self, start: Start, arrival_s: int, late: bool, width: int
+        self, start: Start, arrival_s: int, late: bool, width: int, leaves_s: int = -NO_LIMIT
     ) -> tuple[IntArray, IntArray, IntArray]:
         road = self.road
         first, windows = self.windows
@@ -427,7 +447,8 @@ class _Search:
         found: tuple[IntArray, IntArray, IntArray] = self.kernel(
             road.drive_s, road.clock_s, road.stay_s, road.leave_s, first, windows, self.numbers,
             self.kinds, start.labels, start.info, self.monday, start.fixed_weekly_end_s, arrival_s,
-            late, self.weeks, int(weekly), width, self.dominance,
+            leaves_s, late, self.weeks, int(weekly), width, OPENINGS if width == WIDTH else 0,
+            self.dominance,
         )  # fmt: skip
         return found
 

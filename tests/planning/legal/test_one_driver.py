@@ -205,6 +205,14 @@ def test_without_long_days_left_the_driver_rests():
     assert trip.duration_s == 10 * H + 45 * MIN + 9 * H
 
 
+def test_a_long_day_that_is_over_is_behind_one_that_has_begun():
+    """Rest after 3 h 30, then 6 h: one long day. Rest after 5 h is one too, and 4 h 30 another."""
+    limits = Limits(day_s=4 * H, long_day_s=6 * H, long_days=1, rest_s=3 * H)
+    trip = fastest(parked([210 * MIN, 90 * MIN, 3 * H, 90 * MIN]), limits, RESTED, 0, 0)
+    assert told(trip) == [(1, 3.5, 3.0, ("daily_rest",))]
+    assert trip.arrival_s == 12.5 * H
+
+
 def test_a_wait_before_the_trip_is_a_break():
     """Four hours driven: to leave at once means a break on the way; 45 min later means none."""
     state = DriverState(driven_since_break_s=4 * H, driven_today_s=4 * H, duty_s=5 * H)
