@@ -83,9 +83,11 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "net": net, "weight": weights.solo, "sources": [0], "targets": [1], "engine": "auto",
         }),
         "inspect_plan": (po.inspect_plan, {"plan": plan, "rules": "eu561", "article_12": False}),
-        "departure_curve": (po.departure_curve, {"problem": given["timed"], "master": "A"}),
+        "departure_curve": (po.departure_curve, {
+            "problem": given["timed"], "master": "A", "rules": "none",
+        }),
         "delay_frontier": (po.delay_frontier, {
-            "problem": given["timed"], "delays_min": [0.0, 60.0],
+            "problem": given["timed"], "delays_min": [0.0, 60.0], "rules": "none",
         }),
         "write_curve": (po.write_curve, {"curve": given["curve"]}),
         "place_table": (po.place_table, {

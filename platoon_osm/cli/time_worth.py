@@ -12,10 +12,13 @@ if TYPE_CHECKING:
     from ..plans.curves import DelayFrontier, DepartureCurve
     from ..plans.plan import Plan
 
-__all__ = ["MOST_VEHICLES", "time_worth"]
+__all__ = ["MOST_UNDER_RULES", "MOST_VEHICLES", "time_worth"]
 
 MOST_VEHICLES = 12
 """Of more, curves take longer than a page is worth."""
+
+MOST_UNDER_RULES = 4
+"""Likewise under driving rules."""
 
 
 def time_worth(
@@ -35,12 +38,14 @@ def time_worth(
     Returns
     -------
     dict of str to DepartureCurve or DelayFrontier
-        "curve" and "frontier", as far as they say anything; neither under driving rules, which
-        they do not know, nor of a plan in which nobody drives in company.
+        "curve" and "frontier", as far as they say anything, under the rules of the plan; neither of
+        a plan in which nobody drives in company, nor of one with many vehicles.
     """
     table = plan.timetable
     masters = {one.master for one in plan.platoons if len(one.vehicles) > 1}
-    if table is None or table.rules or len(plan.trips) > MOST_VEHICLES or len(masters) != 1:
+    if table is None or len(masters) != 1:
+        return {}
+    if len(plan.trips) > (MOST_UNDER_RULES if table.rules else MOST_VEHICLES):
         return {}
     from ..planning.curves import delay_frontier, departure_curve
 

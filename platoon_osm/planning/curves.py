@@ -3,17 +3,20 @@
 Both are exact under the conditions they name: for each departure each member takes what is cheapest
 for itself (`no_wait.py`); for each delay every vehicle is tried as master, and the best
 departure is taken. With a wider window all ways of a narrower one remain, so the saving never
-falls.
+falls. Under driving rules a master stands for its breaks and rests (`legal/legal_curves.py`).
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..driving.rules import DrivingRules, rules_of
 from ..errors import ScenarioError, brief
 from ..kinds import is_number
 from ..plans.curves import DelayFrontier, DepartureCurve
@@ -30,6 +33,9 @@ from .timed_star import TimedStar
 from .timing.departure_curve import MemberSteps, StepCurve
 from .timing.limits import Window, first_named
 
+if TYPE_CHECKING:
+    from .legal.legal_question import LegalQuestion
+
 __all__ = ["DELAYS_MIN", "delay_frontier", "departure_curve"]
 
 Floats = NDArray[np.float64]
@@ -45,21 +51,27 @@ MS = 3
 """Decimals of seconds in a curve."""
 
 
-def departure_curve(problem: Problem, master: str | None = None) -> DepartureCurve:
-    """Return what all pay together, by the departure of a master that does not wait.
+def departure_curve(
+    problem: Problem, master: str | None = None, *, rules: str | DrivingRules | None = None
+) -> DepartureCurve:
+    """Return what all pay together, by the departure of a master that waits for nobody.
 
     Parameters
     ----------
     problem : Problem
-        Whose trips name times; driving rules and bans do not count.
+        Whose trips name times.
     master : str, optional
         Name of the vehicle that keeps its route; by default the problem's, or else that with which
         all pay least.
+    rules : str or DrivingRules, optional
+        Of driving times; by default the problem's.
 
     Returns
     -------
     DepartureCurve
-        Each member takes what is cheapest for itself, whatever the problem's optimum.
+        Each member takes what is cheapest for itself, whatever the problem's optimum. Under driving
+        rules with limits all take their breaks and rests, driving bans count, and departures are in
+        whole seconds; otherwise bans do not count.
 
     Raises
     ------
@@ -67,15 +79,20 @@ def departure_curve(problem: Problem, master: str | None = None) -> DepartureCur
         No trip names a time, no such vehicle, one vehicle alone, or a master that drives no road
         or cannot be in time.
     PlatoonError
-        A place that is not on the network, or a trip without any route.
+        A place that is not on the network, or a trip without any route, or none that keeps the
+        rules.
     """
-    question = _question(problem, "departure curve")
+    question = _question(problem, "departure curve", rules)
     names = [item.vehicle for item in question.ends]
     if master is not None and not (isinstance(master, str) and master in names):
         raise ScenarioError(
             f"departure curve: master {brief(master)} has no trip; vehicles are {listed(names)}"
         )
     known = question.fixed_master if master is None else names.index(master)
+    if question.problem.limits_driving:
+        from .legal.legal_curves import legal_curve
+
+        return legal_curve(_legal(question), known)
     if known is None:
         best = _best_of_masters(question)
         known = question.first_master if best is None else best[0]
@@ -115,7 +132,12 @@ def departure_curve(problem: Problem, master: str | None = None) -> DepartureCur
     )  # fmt: skip
 
 
-def delay_frontier(problem: Problem, delays_min: Iterable[float] = DELAYS_MIN) -> DelayFrontier:
+def delay_frontier(
+    problem: Problem,
+    delays_min: Iterable[float] = DELAYS_MIN,
+    *,
+    rules: str | DrivingRules | None = None,
+) -> DelayFrontier:
     """Return the largest saving for each delay that every vehicle allows.
 
     A vehicle that names an earliest departure may arrive so much later than if it left then and
@@ -128,21 +150,29 @@ def delay_frontier(problem: Problem, delays_min: Iterable[float] = DELAYS_MIN) -
         Whose trips name times; their windows are replaced by the delays.
     delays_min : iterable of float
         Delays [min], 0 or more.
+    rules : str or DrivingRules, optional
+        Of driving times; by default the problem's.
 
     Returns
     -------
     DelayFrontier
-        For the best of all masters that do not wait, in the order of the delays.
+        For the best of all masters that wait for nobody, in the order of the delays. Under driving
+        rules with limits alone means the legal trip alone, breaks and rests included.
 
     Raises
     ------
     ScenarioError
         No trip names a time, one vehicle alone, or delays that are none.
     PlatoonError
-        A place that is not on the network, or a trip without any route.
+        A place that is not on the network, or a trip without any route, or none that keeps the
+        rules.
     """
     delays = _checked(delays_min)
-    question = _question(problem, "frontier")
+    question = _question(problem, "frontier", rules)
+    if question.problem.limits_driving:
+        from .legal.legal_curves import legal_frontier
+
+        return legal_frontier(_legal(question), delays)
     widest = question.within(_windows(question, delays[-1]))
     total = float(question.solo.sum())
     rows: list[tuple[float, float, str, int]] = []
@@ -177,7 +207,7 @@ def delay_frontier(problem: Problem, delays_min: Iterable[float] = DELAYS_MIN) -
     )
 
 
-def _question(problem: Problem, what: str) -> Question:
+def _question(problem: Problem, what: str, rules: str | DrivingRules | None) -> Question:
     if not isinstance(problem, Problem):
         raise ScenarioError(
             f"{what}: {brief(problem)} is no Problem; make one from a network, trips and costs"
@@ -186,7 +216,20 @@ def _question(problem: Problem, what: str) -> Question:
         raise ScenarioError(f"{what}: no trip names a time; give an earliest_departure, say")
     if len(problem.trips) < 2:
         raise ScenarioError(f"{what}: one vehicle alone has no company; give two trips or more")
+    if rules is not None:
+        problem = replace(problem, rules=rules_of(rules))
+    if problem.limits_driving:
+        # One platoon around a master on its own route.
+        case = "C" if problem.case in ("best", "D") else problem.case
+        problem = replace(problem, case=case, company="master")
     return Asked.of(problem).question
+
+
+def _legal(question: Question) -> LegalQuestion:
+    from .legal.legal_question import LegalQuestion
+
+    problem = question.problem
+    return LegalQuestion(question, [problem.vehicle_of(trip) for trip in problem.trips])
 
 
 def _widest(question: Question) -> str:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..costs.objective import Objective
 from ..costs.weights import EdgeWeights
-from ..driving.rules import Drive, DrivingRules, limits_of
+from ..driving.rules import Drive, DrivingRules
 from ..errors import ScenarioError, brief
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.placed import network_below
@@ -186,9 +186,7 @@ def solve(problem: Problem) -> Plan:
     def finished(best: Best, reasons: Sequence[str]) -> Plan:
         return timed(_of_best(question, best, reasons))
 
-    if exact and any(
-        limits_of(problem.rules, trip.driver.drivers).limits_driving for trip in problem.trips
-    ):
+    if exact and problem.limits_driving:
         from .legal.solve import solved_under_law
 
         plan = solved_under_law(

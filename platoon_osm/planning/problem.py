@@ -157,8 +157,7 @@ class Problem:
         self._check_rules()
 
     def _check_rules(self) -> None:
-        limits = [limits_of(self.rules, trip.driver.drivers) for trip in self.trips]
-        if not any(one.limits_driving for one in limits):
+        if not self.limits_driving:
             return
         name = self.rules.name
         if self.method != "dijkstra":
@@ -175,6 +174,11 @@ class Problem:
             f"<Problem case {self.case}: {len(self.trips):,} trips on "
             f"{brief(self.net.source.name)}, {self.method}, {self.optimum}>"
         )
+
+    @property
+    def limits_driving(self) -> bool:
+        """Whether its rules have limits, by which breaks and rests are planned."""
+        return any(limits_of(self.rules, trip.driver.drivers).limits_driving for trip in self.trips)
 
     def profile_of(self, trip: Trip) -> Vehicle | None:
         """Return the vehicle that is named for a trip.

@@ -5,40 +5,35 @@ wait on its way. Its steps are closed intervals that meet: where two of them mee
 counts, for company opens at a moment and closes after one. A step of no length is a moment at
 which something opens that another thing closes. Where waiting is free, steps are level.
 
+Under driving rules the master stands for its breaks and rests, and moments are whole seconds: a
+step ends a second before the next begins, and the master cannot leave at departures between two
+steps that do not meet so. Steps are level.
+
 A frontier tells the largest saving for each delay that every vehicle allows. A wider window allows
 all that a narrower one did, so the saving never falls.
 """
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..csv_tables import write_table
 from ..errors import ScenarioError
 from .clock import Clock, Offsets
-
-if TYPE_CHECKING:
-    import pandas
+from .row_table import Row, RowTable
 
 __all__ = ["DelayFrontier", "DepartureCurve"]
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
-Row = dict[str, Any]
-
-DIGITS = 9
-"""Of numbers in the tables."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DepartureCurve:
-    """What all vehicles pay together if the master leaves at a moment and does not wait.
+class DepartureCurve(RowTable):
+    """What all vehicles pay together if the master leaves at a moment and waits for nobody.
 
     All moments are departures of the master in seconds from `start`; all arrays are read-only.
 
@@ -59,7 +54,8 @@ class DepartureCurve:
     offsets : tuple of (float, float)
         From when on [s] clocks go by which offset from UTC [s], if they change.
     begin_s, end_s : ndarray of float, (S,)
-        Each step's first and last departure; the end of one is the begin of the next.
+        Each step's first and last departure; the end of one is the begin of the next, or under
+        driving rules a second before it.
     cost, end_cost : ndarray of float, (S,)
         What all pay together at the begin and at the end of each step, linear between.
     company : ndarray of int, (S,)
@@ -67,7 +63,8 @@ class DepartureCurve:
     joins : tuple of ndarray of float, (M, k, 2)
         For each member the departures, from and to, at which it drives with the master.
     best_s : float
-        The earliest departure at which all pay least.
+        The earliest departure at which all pay least; under driving rules the earliest of the
+        plainest plan of that cost, with few stops.
     best_cost : float
         What they pay then.
     is_exact : bool
@@ -75,6 +72,11 @@ class DepartureCurve:
         one may be.
     conditions : tuple of str
         What the curve holds for.
+    rules : str
+        The driving rules by which the master and its members stand; empty without.
+    bound : ndarray of float, (S,), or None
+        What no plan of a step under `conditions` undercuts, where the search for it ended before
+        all was compared; `cost` in the other steps. None where there is no such step.
     """
 
     master: str
@@ -94,8 +96,12 @@ class DepartureCurve:
     best_cost: float
     is_exact: bool = True
     conditions: tuple[str, ...] = ()
+    rules: str = ""
+    bound: Floats | None = None
 
     def __post_init__(self) -> None:
+        if self.bound is not None:
+            self.bound.flags.writeable = False
         for array in (
             self.begin_s,
             self.end_s,
@@ -141,7 +147,7 @@ class DepartureCurve:
         Returns
         -------
         ndarray of float, (k,)
-            Costs; inf outside the departures that the master allows.
+            Costs; inf at departures that no step holds, such as those that the master forbids.
         """
         moments = np.atleast_1d(np.asarray(departure_s, np.float64))
         found = np.full(len(moments), np.inf)
@@ -178,18 +184,6 @@ class DepartureCurve:
             if ((spans[:, 0] <= departure_s) & (departure_s <= spans[:, 1])).any()
         )
 
-    def to_frame(self) -> pandas.DataFrame:
-        """Return the steps as a table of pandas.
-
-        Returns
-        -------
-        pandas.DataFrame
-            A row for each step.
-        """
-        import pandas as pd
-
-        return pd.DataFrame(list(self.rows()))
-
     def rows(self) -> Iterator[Row]:
         """Yield what is known of each step.
 
@@ -210,28 +204,14 @@ class DepartureCurve:
                 "end_s": end,
                 f"cost_{unit}": cost,
                 f"end_cost_{unit}": last,
+                **({} if self.bound is None else {f"bound_{unit}": float(self.bound[step])}),
                 "saving_share": 1.0 - min(cost, last) / self.solo_cost if self.solo_cost else 0.0,
                 "company": int(self.company[step]),
             }
 
-    def write_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write the steps as CSV, a row each.
-
-        Parameters
-        ----------
-        path : path-like
-            Of the file.
-
-        Raises
-        ------
-        ScenarioError
-            The file cannot be written.
-        """
-        _write(path, list(self.rows()))
-
 
 @dataclass(frozen=True, slots=True, eq=False)
-class DelayFrontier:
+class DelayFrontier(RowTable):
     """What can be saved if every vehicle may arrive so much later than alone.
 
     Attributes
@@ -254,6 +234,8 @@ class DelayFrontier:
         How many vehicles drive with the master.
     conditions : tuple of str
         What the bounds hold for.
+    rules : str
+        The driving rules by which all stand, alone too; empty without.
     """
 
     vehicles: tuple[str, ...]
@@ -265,6 +247,7 @@ class DelayFrontier:
     master: tuple[str, ...]
     company: Index
     conditions: tuple[str, ...] = ()
+    rules: str = ""
 
     def __post_init__(self) -> None:
         for array in (self.delay_min, self.cost, self.bound, self.company):
@@ -296,18 +279,6 @@ class DelayFrontier:
         most = self.solo_cost - self.bound
         return np.where(most > 0, (self.cost - self.bound) / np.where(most > 0, most, 1.0), 0.0)
 
-    def to_frame(self) -> pandas.DataFrame:
-        """Return the delays as a table of pandas.
-
-        Returns
-        -------
-        pandas.DataFrame
-            A row for each delay.
-        """
-        import pandas as pd
-
-        return pd.DataFrame(list(self.rows()))
-
     def rows(self) -> Iterator[Row]:
         """Yield what is known of each delay.
 
@@ -328,24 +299,3 @@ class DelayFrontier:
                 "master": self.master[at],
                 "company": int(self.company[at]),
             }
-
-    def write_csv(self, path: str | os.PathLike[str]) -> None:
-        """Write the delays as CSV, a row each.
-
-        Parameters
-        ----------
-        path : path-like
-            Of the file.
-
-        Raises
-        ------
-        ScenarioError
-            The file cannot be written.
-        """
-        _write(path, list(self.rows()))
-
-
-def _write(path: str | os.PathLike[str], rows: list[Row]) -> None:
-    if not rows:
-        raise ScenarioError("curve: it has no steps to write; ask for some")
-    write_table(path, list(rows[0]), (list(row.values()) for row in rows), DIGITS)

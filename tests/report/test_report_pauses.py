@@ -301,7 +301,7 @@ def test_curve_and_frontier_are_drawn_with_tables_of_their_numbers() -> None:
         assert "Most is saved if A leaves at 06:40: 20.0" in text
         assert "Holds for: waiting at merging points is free." in text
         rows = re.findall("<tr>(.*?)</tr>", text, re.S)
-        told = [re.findall(r'<td class="number">(.*?)</td>', row, re.S) for row in rows]
+        told = [re.findall("<td>(.*?)</td>", row, re.S) for row in rows]
         assert [one[0] for one in told if one] == [
             "06:00 \u2013 06:20", "06:20 \u2013 06:40", "06:40 \u2013 07:00",
             "0 min", "30 min", "1 h 00 min",
@@ -317,6 +317,22 @@ def test_curve_and_frontier_are_drawn_with_tables_of_their_numbers() -> None:
         assert "Dashed: no plan saves more." in open_
         assert open_.count("<polyline") == 2
         assert written(time_worth(None, None)) == ""
+
+
+def test_a_curve_under_rules_says_so_and_its_line_ends_where_nobody_can_leave() -> None:
+    curve = replace(
+        CURVE, rules="eu561", end_s=np.array([1199.0, 1799.0, 3600.0]), end_cost=CURVE.cost
+    )
+    with speaking("en"):
+        text = written(time_worth(curve, None))
+        assert "All keep their breaks and rests: Regulation (EC) 561/2006" in text
+        assert "Most is saved if A leaves between 06:40 and 07:00: 20.0" in text
+        assert "Where there is no line, A cannot leave." in text
+        one, other = re.findall(r'<polyline points="([^"]*)"', text)
+        assert (one.count(" "), other.count(" ")) == (3, 1)
+        unknown = written(time_worth(replace(curve, is_exact=False), None))
+        assert "More may be possible." in unknown
+        assert "no line" not in unknown
 
 
 def test_names_in_a_curve_are_shown_as_they_are() -> None:

@@ -15,6 +15,7 @@ from ..language import language_options
 from ..options import rules_named
 from ..outputs import output_kind, write_all
 from ..progress import steps
+from ..time_worth import time_worth
 
 __all__ = ["verb"]
 
@@ -62,7 +63,7 @@ def verb(output: Output, network: str, rules: str | None) -> None:
     if output.path.is_dir():
         check_outputs([Output("-o", file) for file in files.values()])
     names = SCENARIOS[network]
-    with steps(2 + len(names)) as begin:
+    with steps(3 + len(names)) as begin:
         begin(f"loading {network}")
         net = load_network(network)
         plans = []
@@ -75,10 +76,14 @@ def verb(output: Output, network: str, rules: str | None) -> None:
             )
             plans.append((scenario.title, scenario.plan(net)))
         title, plan = plans[-1]
+        begin("working out what the hour is worth")
+        more = time_worth(scenario, net, plan)
 
         def write(into: Path) -> None:
             for name, file in files.items():
-                EXPORTERS[name].write(plan, net, into / file.name, title=title)
+                own = EXPORTERS[name]
+                known = {key: more[key] for key in own.takes if key in more}
+                own.write(plan, net, into / file.name, title=title, **known)
 
         write_all([(output, write)], begin)
     click.echo(repr(net)[1:-1])

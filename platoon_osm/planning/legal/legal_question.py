@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
 from functools import cached_property
@@ -247,6 +248,36 @@ class LegalQuestion:
                 span = replace(span, latest_s=max(span.latest_s, own.trip.departure_s))
             found.append(span)
         return tuple(found)
+
+    def delayed(self, delay_s: float) -> LegalQuestion:
+        """Return the same question with a delay that all allow instead of their windows.
+
+        Parameters
+        ----------
+        delay_s : float
+            How much later than alone each vehicle may arrive [s].
+
+        Returns
+        -------
+        LegalQuestion
+            Who names no earliest departure may leave so much earlier than alone, and arrive when it
+            would alone; who names no time goes along with anybody.
+        """
+        late = math.floor(delay_s)
+
+        def span(asked: Window, trip: LegalTrip) -> Span:
+            if asked.earliest is not None:
+                return Span(int(asked.earliest), OPEN_S, trip.arrival_s + late)
+            if asked.latest is None and asked.arrival is None:
+                return Span()
+            return Span(trip.departure_s - late, OPEN_S, trip.arrival_s)
+
+        found = copy(self)
+        found.__dict__.pop("has_closings", None)
+        found.__dict__["spans"] = tuple(
+            span(asked, own.trip) for asked, own in zip(self._asked, self.alone, strict=True)
+        )
+        return found
 
     @cached_property
     def has_closings(self) -> bool:

@@ -13,29 +13,22 @@ with few stops, whole breaks and an early departure is taken (`platoon_ties.py`)
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_kernel as kernel
 from .platoon_again import Again, joined_again
-from .platoon_compiled import kernels_for
-from .platoon_numbers import numbers_of_star
 from .platoon_record import Free, MemberTiming, PlatoonTiming, Real, Timetable
 from .platoon_spans import SpanSearch
-from .platoon_stops import MasterStops, Stops
+from .platoon_stops import Stops
 from .platoon_ties import simplest
-from .star_times import OPEN_S, StarTimes
+from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
+from .star_times import StarTimes
 
-__all__ = ["search_platoon"]
+__all__ = ["choices_of", "cost_of", "gained", "search_platoon"]
 
 Marks = NDArray[np.bool_]
-
-SAME = 1e-9
-"""Sums of costs that differ by less, relative to what all pay alone, are equal."""
-
-HORIZON_S = 48 * 3600
-"""How far beyond the members' windows a master without a window may leave [s]."""
 
 
 def search_platoon(
@@ -84,55 +77,20 @@ def search_platoon(
         Proved if nothing searched is better; else with a bound.
     """
     began = time.perf_counter()
-    members = len(star.alone)
-    if in_time is None:
-        in_time = np.isfinite(star.alone)
-    if plain is None:
-        plain = np.ones(members, bool)
-    begin, end = _departures(star)
+    searches = StarSearches(star, real, free, in_time, plain, extra_stops, lengths)
+    begin, end = departures_of(star)
+    needs = searches.needs(end)
     found = PlatoonTiming(np.inf, np.inf, True, None, None)
-    for more in range(3):
-        probe = MasterStops(numbers_of_star(star, in_time, plain, 0), 0, 0)
-        clocks = probe.states((), end) or (0, kernel.FAR, 0)
-        stops, rests, _ = probe.left(clocks, int(probe.numbers.tau[-1]))
-        rests += more
-        most = max(stops, rests) + extra_stops
-        numbers = numbers_of_star(star, in_time, plain, rests + 1)
-        if more and probe.numbers.vehicles[probe.numbers.master, kernel.REST] >= kernel.FAR:
+    for more in range(MOST_RESTS_MORE + 1):
+        search = searches.search(needs, more)
+        if search is None:
             break
-        total = float(np.abs(star.alone[np.isfinite(star.alone)]).sum()) + 1.0
-        evaluate, next_stops = kernels_for(members * len(numbers.pos))
-        stopping = MasterStops(numbers, most, rests, lengths, next_stops)
-        search = SpanSearch(
-            star, numbers, stopping, real, began + time_limit_s, evaluate, SAME * total, free,
-            most_spans,
-        )  # fmt: skip
+        search.deadline, search.most_spans = began + time_limit_s, most_spans
         ended = search.run(begin, end)
         found = _result(search, ended, began, again)
         if found.timetable is not None or not ended:
             break
     return found
-
-
-def _departures(star: StarTimes) -> tuple[int, int]:
-    """Return the first and the last departure of the master that are searched."""
-    window = star.window
-    drive = int(star.road.drive_s.sum())
-    last = min(window.latest_s, window.arrival_s - drive)
-    known = [
-        at
-        for one in (*star.windows, window)
-        for at in (one.earliest_s, one.latest_s, one.arrival_s)
-        if abs(at) < OPEN_S // 2
-    ]
-    first = window.earliest_s
-    if first <= -OPEN_S // 2:
-        first = (min(known) - drive - HORIZON_S) if known else 0
-        first = min(first, last)
-    if last >= OPEN_S // 2:
-        last = (max(known) + HORIZON_S) if known else first
-        last = max(first, last)
-    return first, last
 
 
 def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) -> PlatoonTiming:
@@ -142,11 +100,11 @@ def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) 
     chosen = None
     if search.found is not None:
         stops, departure = search.found
-        chosen = _choices(search, stops, departure)
+        chosen = choices_of(search, stops, departure)
         if chosen is not None and ended:
             pays = sum(one.cost if one.possible else some.penalty for one in chosen)
-            stops, departure = simplest(search, stops, departure, pays, *_departures(star))
-            chosen = _choices(search, stops, departure)
+            stops, departure = simplest(search, stops, departure, pays, *departures_of(star))
+            chosen = choices_of(search, stops, departure)
     counts = (search.evaluations, len(search.asked), search.spans)
     if search.found is None or chosen is None:
         return PlatoonTiming(
@@ -158,11 +116,7 @@ def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) 
     table, complete = Timetable.of(star, departure, stops), True
     if again is not None:
         chosen, complete = joined_again(some, table, chosen, again)
-    met = np.zeros(len(star.gain), bool)
-    for one in chosen:
-        for i, j in one.stretches:
-            met[i:j] = True
-    cost = sum(one.cost for one in chosen) + star.master_alone - float(star.gain[met].sum())
+    cost = cost_of(star, chosen)
     trip = search.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0)
     return PlatoonTiming(
         cost, cost - short, ended, table, trip, tuple(chosen), alone, complete, *counts,
@@ -170,8 +124,23 @@ def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) 
     )  # fmt: skip
 
 
-def _choices(search: SpanSearch, stops: Stops, departure: int) -> list[MemberTiming] | None:
-    """Return what members do at a departure; None if the master cannot leave then."""
+def choices_of(search: SpanSearch, stops: Stops, departure: int) -> list[MemberTiming] | None:
+    """Return what members do at a departure.
+
+    Parameters
+    ----------
+    search : SpanSearch
+        Of the star.
+    stops : tuple of (int, int)
+        The master's.
+    departure : int
+        When it leaves [s].
+
+    Returns
+    -------
+    list of MemberTiming, (M,), or None
+        None if the master cannot leave then.
+    """
     chosen = search.choices(stops, departure)
     if chosen is None:
         return None
@@ -184,3 +153,43 @@ def _choices(search: SpanSearch, stops: Stops, departure: int) -> list[MemberTim
             able = cost < penalty
             found.append(MemberTiming(alone if able else np.inf, possible=able))
     return found
+
+
+def cost_of(star: StarTimes, members: Sequence[MemberTiming]) -> float:
+    """Return what all pay together.
+
+    Parameters
+    ----------
+    star : StarTimes
+        The master and its members.
+    members : sequence of MemberTiming, (M,)
+        How each member drives.
+
+    Returns
+    -------
+    float
+        Of master and members; what the master gains from company counts once.
+    """
+    return sum(one.cost for one in members) + star.master_alone - gained(star, members)
+
+
+def gained(star: StarTimes, members: Sequence[MemberTiming]) -> float:
+    """Return what the master saves by its company.
+
+    Parameters
+    ----------
+    star : StarTimes
+        The master and its members.
+    members : sequence of MemberTiming, (M,)
+        How each member drives.
+
+    Returns
+    -------
+    float
+        Once for each edge on which it has any.
+    """
+    met = np.zeros(len(star.gain), bool)
+    for one in members:
+        for i, j in one.stretches:
+            met[i:j] = True
+    return float(star.gain[met].sum())

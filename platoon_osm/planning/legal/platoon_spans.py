@@ -307,13 +307,19 @@ class SpanSearch:
         rows = np.roll(np.arange(len(self.numbers.alone)), 1)
         return SpanNode(stops, clocks, begin, end, 0.0, rows, np.zeros(len(rows)))
 
-    def run(self, begin: int, end: int) -> bool:
-        """Search.
+    def run(
+        self, begin: int, end: int, among: Sequence[Stops] | None = None, floor: float = -np.inf
+    ) -> bool:
+        """Search for something cheaper than the best that is known.
 
         Parameters
         ----------
         begin, end : int
             The first and the last departure of the master [s].
+        among : sequence of tuple of (int, int), optional
+            Nothing but these stops is tried.
+        floor : float
+            What all pay at least.
 
         Returns
         -------
@@ -323,13 +329,22 @@ class SpanSearch:
         clocks = self.stops.states((), end)
         if clocks is None or begin > end:
             return True
-        root = self.start((), clocks, begin, end)
-        self._push([root])
-        # The master stays first.
-        self.least[root.rows] = root.low
-        self.least[self.numbers.master] = -np.inf
+        if among is None:
+            root = self.start((), clocks, begin, end)
+            self._push([root])
+            # The master stays first.
+            self.least[root.rows] = root.low
+            self.least[self.numbers.master] = -np.inf
+        else:
+            self._push(
+                [
+                    self.start(stops, None, *span)
+                    for stops in among
+                    for span in self.allowed(stops, begin, end)
+                ]
+            )
         while self.heap:
-            if self.heap[0][1] >= self.best - self.tolerance:
+            if max(self.heap[0][1], floor) >= self.best - self.tolerance:
                 break
             if self.spans > self.most_spans or time.perf_counter() > self.deadline:
                 return False
@@ -412,13 +427,31 @@ class SpanSearch:
         clocks = node.clocks
         assert clocks is not None
         children = self._ended(node, node.stops) if ways.is_end(node.stops, clocks) else []
+        reach = self._reach(node)
         for stop, after in ways.nexts(node.stops, clocks, node.begin):
+            if stop[0] > reach:
+                continue
             longer = (*node.stops, stop)
             if len(longer) == ways.most:
                 children += self._ended(node, longer)
             else:
                 children.append(replace(node, stops=longer, clocks=after))
         self._push(children)
+
+    def _reach(self, node: SpanNode) -> int:
+        """Return the last position to which the master may drive without a stop more.
+
+        A hop that is closed at every departure of the node is the end of that.
+        """
+        road = self.star.road
+        if not len(road.forbidden_s):
+            return road.hops
+        leave = Timetable.of(self.star, 0, node.stops).leave_s[:-1]
+        hops = np.repeat(np.arange(road.hops), np.diff(road.forbidden_first))
+        closed = road.forbidden_s - leave[hops][:, None]
+        shut = (closed[:, 0] < node.begin) & (closed[:, 1] > node.end)
+        shut &= hops >= (node.stops[-1][0] if node.stops else 0)
+        return int(hops[shut].min(initial=road.hops))
 
     def _ended(self, node: SpanNode, stops: Stops) -> list[SpanNode]:
         """Return the nodes at which no other stops follow."""

@@ -143,6 +143,22 @@ class MasterStops:
         at = stops[-1][0] if stops else 0
         return self.left(clocks, int(self._tau[-1] - self._tau[at]))[0] == 0
 
+    def allows(self, stops: Stops) -> bool:
+        """Tell whether stops are not too many, nor the daily rests among them.
+
+        Parameters
+        ----------
+        stops : tuple of (int, int)
+            All of them.
+
+        Returns
+        -------
+        bool
+            Whether a search may end with them.
+        """
+        rests = sum(length >= self._row[kernel.REST] for _, length in stops)
+        return len(stops) <= self.most and rests <= self.rests
+
     @property
     def plan(self) -> Seconds:
         """The most stops and rests, the longest stop without a rest and with one."""

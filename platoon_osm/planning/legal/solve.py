@@ -13,11 +13,12 @@ from ...plans.text_table import listed
 from ...plans.timetable import LATE_S
 from ...vehicles.profile import Vehicle
 from ..answers import Answer
-from ..best import ANY_WAY, ONE_STRETCH, WAITING_FREE, Best
+from ..best import ANY_WAY, ONE_STRETCH, Best
 from ..company.bound import least_total
 from ..company.draft import Draft
 from ..question import Question
 from ..reasons import reasons_alone
+from .conditions import MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
 from .lawful_plan import timed_under_law
 from .legal_question import LegalQuestion
 from .stars import Planned, planned_platoons
@@ -27,11 +28,6 @@ __all__ = ["solved_under_law"]
 
 Write = Callable[[Best, Sequence[str]], Plan]
 """Makes a plan without times of an answer and the reasons of those who drive alone."""
-
-STANDS_FOR_LAW = "which stands for its breaks and rests alone"
-WHOLE_SECONDS = "times in whole seconds"
-MEMBERS = "members pay least in all, and what masters gain is counted then"
-STOPPED = "the search ended before all was compared"
 
 
 def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Write) -> Plan:
@@ -76,9 +72,7 @@ def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
     any_plan = least_total(
         question.net, question.fleet, question.node_pairs, question.solo, answer.cost
     )
-    rules = f"driving rules {question.problem.rules.name}"
-    free = question.problem.objective.waiting(3600.0) == 0
-    common = (rules, WHOLE_SECONDS, *((WAITING_FREE,) if free else ()))
+    common = of_every_plan(question)
     if len(question.ends) < 2:
         return Proof.of(answer.cost, answer.cost, common)
     stopped = (STOPPED,) if planned.unfinished else ()

@@ -16,6 +16,7 @@ from ...plans.stretches import Run, runs_alone
 from ..answers import of_pair
 from ..cases import Case, running_sum
 from ..company.draft import NO_CHEAPER
+from ..question import Question
 from ..star import Star
 from .cut_at_pauses import Driven
 from .legal_question import LegalQuestion
@@ -26,7 +27,7 @@ from .platoon_search import search_platoon
 from .road import LegalTrip
 from .star_input import star_way
 
-__all__ = ["Planned", "planned_platoons"]
+__all__ = ["LIMIT_S", "MOST_SPANS", "Planned", "case_of", "planned_platoons"]
 
 MOST_SPANS = 16_000
 """Spans of departures that are looked at for all masters together; then the best of each that was
@@ -90,6 +91,10 @@ class Planned:
         How many masters were tried or cannot be better.
     unfinished : bool
         Whether a search ran out of time.
+    company : int
+        How many vehicles drive with the master of the first platoon.
+    spans : int
+        Spans of departures looked at.
     """
 
     runs: list[list[Run]]
@@ -100,15 +105,19 @@ class Planned:
     tried: list[MasterTried] = field(default_factory=list)
     masters: int = 0
     unfinished: bool = False
+    company: int = 0
+    spans: int = 0
 
 
-def planned_platoons(legal: LegalQuestion) -> Planned:
+def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Planned:
     """Return the platoons of a question under driving rules.
 
     Parameters
     ----------
     legal : LegalQuestion
         What is asked, with its law.
+    most_spans : int
+        Spans of departures that are looked at for all masters together, about.
 
     Returns
     -------
@@ -128,14 +137,15 @@ def planned_platoons(legal: LegalQuestion) -> Planned:
         return plan
     free = set(everyone)
     fixed = question.fixed_master
-    first = _best_star(legal, None, everyone if fixed is None else [fixed], plan)
+    first = _best_star(legal, None, everyone if fixed is None else [fixed], plan, most_spans)
     if first is None:
         return plan
+    plan.company = len(first.joined) - 1
     plan.master, plan.bound = first.star.master, min(plan.bound or alone, plan.cost)
     several = question.problem.company == "anywhere" and question.problem.case in ("C", "best")
     free -= set(first.joined)
     while several and len(free) > 1:
-        more = _best_star(legal, free, sorted(free), plan)
+        more = _best_star(legal, free, sorted(free), plan, most_spans)
         if more is None:
             break
         plan.bound = None
@@ -148,6 +158,7 @@ def _best_star(
     among: Collection[int] | None,
     masters: Sequence[int],
     plan: Planned,
+    most_spans: int,
 ) -> Platooned | None:
     """Find the best star of some vehicles and put it into a plan; None if none is cheaper."""
     question = legal.question
@@ -159,7 +170,7 @@ def _best_star(
         _stars(legal, sorted(masters, key=order.__getitem__)), key=lambda star: star.bound
     )
     tried = []
-    most = max(MOST_SPANS // max(len(stars), 1), LEAST_SPANS)
+    most = max(most_spans // max(len(stars), 1), LEAST_SPANS)
     for star in stars:
         if star.bound >= least * (1 - NO_CHEAPER):
             bounds.append(star.bound)
@@ -167,8 +178,9 @@ def _best_star(
         found = _timed_star(legal, star, among, most)
         bounds.append(found.timing.bound)
         plan.unfinished |= not found.timing.proved
+        plan.spans += found.timing.spans
         if np.isfinite(found.timing.cost):
-            tried.append(MasterTried(star.master, _case(legal), found.timing.cost))
+            tried.append(MasterTried(star.master, case_of(legal.question), found.timing.cost))
         better = found.timing.cost < least * (1 - (NO_CHEAPER if best is None else 0))
         if better and found.joined and _allowed(legal, found):
             least, best = found.timing.cost, found
@@ -214,20 +226,32 @@ def _stars(legal: LegalQuestion, masters: Sequence[int]) -> Iterator[Star]:
         yield Star(question.net, question.fleet, question.ends, master, question.routers, routes)
 
 
-def _case(legal: LegalQuestion) -> Case:
-    asked = legal.question.problem.case
+def case_of(question: Question) -> Case:
+    """Return which points are free in a star.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+
+    Returns
+    -------
+    {"A", "B", "C"}
+        "C" where any case will do.
+    """
+    asked = question.problem.case
     return "A" if asked == "A" else "B" if asked == "B" else "C"
 
 
 def _timed_star(
     legal: LegalQuestion, star: Star, among: Collection[int] | None, most_spans: int
 ) -> Platooned:
-    own = star_way(legal, star, _case(legal), among)
+    own = star_way(legal, star, case_of(legal.question), among)
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
     timing = search_platoon(
         own.times, ways.real, LIMIT_S, most_spans=most_spans, free=ways.free, plain=open_roads,
-        again=_again(legal, ways) if _case(legal) == "C" else None,
+        again=_again(legal, ways) if case_of(legal.question) == "C" else None,
     )  # fmt: skip
     together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
         () for _ in star.members

@@ -9,6 +9,7 @@ import numpy as np
 from ...plans.clock import duration
 from ...plans.curves import DelayFrontier, DepartureCurve
 from ...shown_text import fitted
+from ..document.status import law_name
 from ..drawing.lines import Point
 from ..drawing.ticks import round_step
 from ..language.plan_sentences import in_language
@@ -26,6 +27,9 @@ TOP, BOTTOM = 18.0, 138.0
 
 MOST_ROWS = 40
 """Steps of a curve that its table tells; of more, those that save most."""
+
+SAME = 1e-9
+"""Shares that differ by less are equal."""
 
 
 def time_worth(curve: DepartureCurve | None, frontier: DelayFrontier | None) -> Tree:
@@ -48,7 +52,11 @@ def time_worth(curve: DepartureCurve | None, frontier: DelayFrontier | None) -> 
         parts.append(_curve(curve))
     if frontier is not None and len(frontier):
         parts.append(_frontier(frontier))
-    return Piece("time-worth", {"parts": tuple(parts)}) if parts else NOTHING
+    if not parts:
+        return NOTHING
+    rules = (curve.rules if curve is not None else "") or (frontier.rules if frontier else "")
+    law = Piece("unit-note", {"note": say("time.law", rules=law_name(rules))}) if rules else NOTHING
+    return Piece("time-worth", {"law": law, "parts": tuple(parts)})
 
 
 def _curve(curve: DepartureCurve) -> Piece:
@@ -63,14 +71,16 @@ def _curve(curve: DepartureCurve) -> Piece:
     ]
     most = max(max(pair) for pair in saved)
     scale = _Scale(most)
-    points: list[Point] = []
+    lines: list[list[Point]] = []
     for k, (first, last) in zip(steps, saved, strict=True):
-        points += [
+        if not k or curve.begin_s[k] > curve.end_s[k - 1] + 1:
+            lines.append([])
+        lines[-1] += [
             (zero + float(curve.begin_s[k]) * per_second, scale.y(first)),
             (zero + float(curve.end_s[k]) * per_second, scale.y(last)),
         ]
     ticks = day_scale(clock, begin, end, lambda at: zero + at * per_second, (0.0, WIDTH))
-    master, best = fitted(curve.master), clock_time(clock, curve.best_s)
+    master = fitted(curve.master)
     kept = sorted(sorted(steps, key=lambda k: (-max(saved[k]), k))[:MOST_ROWS])
     rows = [
         (
@@ -80,21 +90,37 @@ def _curve(curve: DepartureCurve) -> Piece:
         )
         for k in kept
     ]
-    told = say("time.best", vehicle=master, time=best, share=percent(curve.best_saving))
+    told = [_best(curve, master)]
+    if not curve.is_exact:
+        told.append(say("time.not-exact"))
+    elif len(lines) > 1:
+        told.append(say("time.no-line", vehicle=master))
     return _chart(
         "curve",
         say("time.curve", vehicle=master),
-        told if curve.is_exact else f"{told} {say('time.not-exact')}",
+        " ".join(told),
         ticks_of(ticks, zero, per_second, TOP - 4, BOTTOM),
         any(tick.below for tick in ticks),
         scale,
-        line_text(points),
+        [line_text(points) for points in lines],
         (zero + curve.best_s * per_second, scale.y(curve.best_saving)),
         NOTHING,
         (say("time.departure"), say("time.saved"), say("time.with")),
         rows,
         curve.conditions,
     )
+
+
+def _best(curve: DepartureCurve, master: str) -> str:
+    """Tell when to leave: any time of a level step, or a moment."""
+    clock, share = curve.clock, percent(curve.best_saving)
+    on = (curve.begin_s <= curve.best_s) & (curve.best_s <= curve.end_s)
+    level = on & (curve.cost == curve.end_cost) & (curve.cost <= curve.best_cost)
+    for step in np.flatnonzero(level).tolist():
+        begin, end = (clock_time(clock, float(at[step])) for at in (curve.begin_s, curve.end_s))
+        if begin != end:
+            return say("time.best-between", vehicle=master, begin=begin, end=end, share=share)
+    return say("time.best", vehicle=master, time=clock_time(clock, curve.best_s), share=share)
 
 
 def _frontier(frontier: DelayFrontier) -> Piece:
@@ -125,7 +151,9 @@ def _frontier(frontier: DelayFrontier) -> Piece:
     ]
     heads = (say("time.delay"), say("time.saved"), say("time.at-most"), say("time.with"))
     ticks = number_scale(last, per_minute, LEFT, (0.0, WIDTH), "min")
-    told = say("time.most", time=duration(60 * last), share=percent(saved[-1]))
+    # The least delay with which as much is saved as with the longest.
+    most = delays[next(k for k, share in enumerate(saved) if share >= saved[-1] - SAME)]
+    told = say("time.most", time=duration(60 * most), share=percent(saved[-1]))
     return _chart(
         "frontier",
         say("time.frontier"),
@@ -133,8 +161,8 @@ def _frontier(frontier: DelayFrontier) -> Piece:
         ticks_of(ticks, LEFT, per_minute, TOP - 4, BOTTOM),
         False,
         scale,
-        stairs(saved),
-        (LEFT + delays[-1] * per_minute, scale.y(saved[-1])),
+        [stairs(saved)],
+        (LEFT + most * per_minute, scale.y(saved[-1])),
         NOTHING if proved else Piece("time-worth-bound", {"points": stairs(bound)}),
         heads[:2] + heads[3:] if proved else heads,
         rows,
@@ -176,7 +204,7 @@ def _chart(
     ticks: Iterator[Piece],
     two: bool,
     scale: _Scale,
-    line: str,
+    lines: Sequence[str],
     best: Point,
     bound: Tree,
     heads: Sequence[str],
@@ -192,7 +220,7 @@ def _chart(
             "height": f"{BOTTOM + SIZE * (1 + two) + 8:g}",
             "ticks": tuple(ticks),
             "shares": tuple(scale.pieces()),
-            "line": line,
+            "lines": tuple(Piece("time-worth-line", {"points": line}) for line in lines),
             "bound": bound,
             "x": f"{best[0]:.1f}",
             "y": f"{best[1]:.1f}",

@@ -16,7 +16,7 @@ from platoon_osm.planning.legal.platoon_kernel import evaluate
 from platoon_osm.planning.legal.platoon_numbers import numbers_of_star
 from platoon_osm.planning.legal.platoon_real import RoadTrips
 from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
-from platoon_osm.planning.legal.platoon_search import _choices, search_platoon
+from platoon_osm.planning.legal.platoon_search import choices_of, search_platoon
 from platoon_osm.planning.legal.platoon_spans import SpanSearch
 from platoon_osm.planning.legal.platoon_stops import MasterStops
 from platoon_osm.planning.legal.road import NO_LIMIT, road_of
@@ -274,7 +274,7 @@ def test_who_stops_alone_joins_again_where_that_is_cheaper():
         again = Again(np.array([along - along[0]] * 3), one.trip)
         for at in np.random.default_rng(seed).permutation(len(legal))[:3].tolist():
             stops, departure = legal[at]
-            members = _choices(search, stops, departure)
+            members = choices_of(search, stops, departure)
             table = Timetable.of(star, departure, stops)
             found, complete = joined_again(search.numbers, table, members, again)
             assert complete

@@ -1,0 +1,31 @@
+"""Sentences on what a result under driving rules holds for."""
+
+from __future__ import annotations
+
+from ..best import WAITING_FREE
+from ..question import Question
+
+__all__ = ["MEMBERS", "STANDS_FOR_LAW", "STOPPED", "of_every_plan"]
+
+STANDS_FOR_LAW = "which stands for its breaks and rests alone"
+WHOLE_SECONDS = "times in whole seconds"
+MEMBERS = "members pay least in all, and what masters gain is counted then"
+STOPPED = "the search ended before all was compared"
+
+
+def of_every_plan(question: Question) -> tuple[str, ...]:
+    """Return what every result under a question's driving rules holds for.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+
+    Returns
+    -------
+    tuple of str
+        Sentences.
+    """
+    free = question.problem.objective.waiting(3600.0) == 0
+    rules = f"driving rules {question.problem.rules.name}"
+    return (rules, WHOLE_SECONDS, *((WAITING_FREE,) if free else ()))
