@@ -219,14 +219,14 @@ class _Search:
 
     def __init__(
         self, road: Road, limits: Limits, state: DriverState, monday_s: int, dominance: bool,
-        pooled: bool = False,
+        pooled: bool = False, windows: tuple[IntArray, IntArray] | None = None,
     ) -> None:  # fmt: skip
         self.road, self.state, self.monday, self.dominance = road, state, monday_s, dominance
         self.asked = limits, state, monday_s, dominance
         self.pooled = pooled
         self.numbers = numbers_of(limits, pooled)
         self.kinds = kinds_of(self.numbers)
-        self.windows = windows_of(road)
+        self.windows = windows_of(road) if windows is None else windows
         self.kernel = label_search(road.hops)
         total = int(road.clock_s.sum())
         both = 2 if pooled else 1
@@ -256,7 +256,8 @@ class _Search:
         allowed. Only if not, who drives what is part of the search.
         """
         asked = (state_at_s, earliest_s, latest_s)
-        bound = _Search(self.road, *self.asked, pooled=True)._of_one(*asked, arrival_s, aim)
+        both = _Search(self.road, *self.asked, pooled=True, windows=self.windows)
+        bound = both._of_one(*asked, arrival_s, aim)
         if bound is None:
             return None
         same = _Search(_stopping(self.road, bound), *self.asked)

@@ -8,6 +8,8 @@ the rest are the closed windows in which it is left.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from .road import FREE, NO_LIMIT, IntArray, Road
@@ -31,26 +33,32 @@ def windows_of(road: Road) -> tuple[IntArray, IntArray]:
         Begin and end of each [s], both in it; the first begins at -`NO_LIMIT`, the last ends at
         `NO_LIMIT`.
     """
-    closed: list[list[tuple[int, int]]] = [[] for _ in range(road.hops)]
-    point, away = 0, 0
-    for hop in range(road.hops):
-        if hop == 0 or road.stay_s[hop] > 0 or road.leave_s[hop] != FREE:
-            point, away = hop, 0
-        closed[point] += [(int(a) - away, int(b) - away) for a, b in road.forbidden(hop)]
-        away += int(road.drive_s[hop])
     first = np.zeros(road.hops + 1, dtype=np.int64)
+    if not len(road.forbidden_s):
+        return first, np.zeros((0, 2), dtype=np.int64)
+    begins = np.concatenate([[0], np.cumsum(road.drive_s)])
+    hop = np.repeat(np.arange(road.hops), np.diff(road.forbidden_first))
+    waits = (road.stay_s[:-1] > 0) | (road.leave_s[:-1] != FREE)
+    waits[0] = True
+    points = np.flatnonzero(waits)
+    point = points[np.searchsorted(points, hop, side="right") - 1]
+    closed = road.forbidden_s - (begins[hop] - begins[point])[:, None]
+    groups = np.flatnonzero(np.diff(point, prepend=-1))
     windows: list[tuple[int, int]] = []
-    for hop, own in enumerate(closed):
-        windows += _left_open(own) if own else []
-        first[hop + 1] = len(windows)
-    return first, np.array(windows, dtype=np.int64).reshape(-1, 2)
+    for low, high in pairwise([*groups.tolist(), len(point)]):
+        own = _left_open(closed[low:high].tolist())
+        first[point[low] + 1] = len(own)
+        windows += own
+    return np.cumsum(first), np.array(windows, dtype=np.int64).reshape(-1, 2)
 
 
-def _left_open(closed: list[tuple[int, int]]) -> list[tuple[int, int]]:
+def _left_open(closed: list[list[int]]) -> list[tuple[int, int]]:
     """Return the closed windows that open intervals leave."""
     windows = []
     at = -NO_LIMIT
-    for begin, end in sorted(one for one in closed if one[0] < one[1]):
+    for begin, end in sorted(closed):
+        if begin >= end:
+            continue
         if begin >= at:
             windows.append((at, begin))
         at = max(at, end)
