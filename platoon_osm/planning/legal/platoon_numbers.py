@@ -239,6 +239,6 @@ def _numbers(
         _down(sure_day), _up(sure_rest) if limited else FAR, _down(sure_window),
         int(free and not tired and limits.change_s == 0),
         math.ceil(state.driven_since_break_s), int(state.first_part_taken),
-        math.ceil(state.driven_today_s), duty, int(holds),
+        (2 if limits.change_s > 0 else 1) * math.ceil(state.driven_today_s), duty, int(holds),
         max(span.earliest_s, begins) if holds else span.earliest_s, span.latest_s, span.arrival_s,
     ]  # fmt: skip

@@ -6,6 +6,7 @@ a few stops more than that, and no more daily rests, or one more where there is 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -115,7 +116,11 @@ class StarSearches:
         total = float(np.abs(star.alone[np.isfinite(star.alone)]).sum()) + 1.0
         evaluate, next_stops = kernels_for(len(star.alone) * len(numbers.pos))
         most = max(stops, rests) + self.extra_stops
-        stopping = MasterStops(numbers, most, rests, self.lengths, next_stops)
+        lengths, limits = self.lengths, star.rules.limits
+        if limits.change_s > 0 and np.isfinite(limits.spell_s):
+            # Two drivers change seats in less than the break that both may need.
+            lengths = (*lengths, math.ceil(limits.beside_s))
+        stopping = MasterStops(numbers, most, rests, lengths, next_stops)
         return SpanSearch(
             star, numbers, stopping, self.real, np.inf, evaluate, SAME * total, self.free
         )
