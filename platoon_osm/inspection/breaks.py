@@ -3,7 +3,8 @@
 The reading: a day is allowed if *some* choice of its pauses makes it so. A pause of 45 min is a
 whole break; so are two pauses, the first of 15 min or more, the second of 30 or more, in that
 order; the other way round they are none. Driving is counted from the end of the whole break that
-was chosen last. A pause need not be counted as a first part. Whoever pairs the first 15 min with
+was chosen last. Both parts lie within the driving that they interrupt: a pause before any driving
+since a break or rest is no part of one. A pause need not be counted as a first part. Whoever pairs the first 15 min with
 the first 30 min that follow, always, makes a legal day illegal by one more pause: 2 h, 30 min, 2 h,
 30 min, 4 h 30 is legal, and would not be so with 15 min more after the first hour.
 
@@ -20,7 +21,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from .activities import HOUR, MINUTE, Activity, Record, clock_span, crossing
+from .activities import FOREVER, HOUR, MINUTE, Activity, Record, clock_span, crossing
 from .driver_start import DriverStart
 from .pauses import Pause, drives_and_pauses
 from .violation import Violation
@@ -102,13 +103,18 @@ def _after_pause(
         whole += [choice.after_break() for choice in first]
     parted = list(first)
     if pause.rest_s >= FIRST_PART_S:
-        parted += none
+        parted += [choice for choice in none if choice.driven_s]
     return _unbeaten(whole), _unbeaten(parted)
 
 
 def _unbeaten(choices: list[_Choice]) -> list[_Choice]:
     kept: list[_Choice] = []
+    least_s = FOREVER
     for choice in sorted(choices, key=lambda one: (one.beyond_s, one.driven_s)):
-        if not kept or choice.driven_s < kept[-1].driven_s:
-            kept.append(choice)
+        # Who has not driven since a break has no first part to take, and so does not beat others.
+        if choice.driven_s:
+            if choice.driven_s >= least_s:
+                continue
+            least_s = choice.driven_s
+        kept.append(choice)
     return kept

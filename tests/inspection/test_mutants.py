@@ -63,7 +63,6 @@ EQUIVALENT = {
         "a second on every choice, so the best stays the best",
     "breaks._Choice.beyond_s: max(0, self.driven_s - SPELL_S) => max(-1, self.driven_s - SPELL_S)":
         "a second on every choice, so the best stays the best",
-    "breaks._unbeaten: -1 => -0": PRUNED,
     "pauses._pause: max(rests, default=0) => max(rests, default=1)":
         "a pause without rest: a second is no part of a break",
     "pauses._pause: max(rests, default=0) => max(rests, default=-1)":

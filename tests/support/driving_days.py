@@ -95,6 +95,10 @@ BREAKS = [
     day("1h drive, 45m rest, 4h30 drive, 45m rest, 3h30 drive"),
     day("4h30 drive, 1h rest, 4h drive, 30m rest, 1h drive", "Art. 7 Mon 16:30 +30"),
     day("5h drive, 45m rest, 5h drive", "Art. 7 Mon 10:30 +30", "Art. 7 Mon 16:15 +30"),
+    # a pause before any driving is no part of a break
+    day("1h rest, 4h30 drive, 30m rest, 1h drive", "Art. 7 Mon 12:00 +60"),
+    day("1h drive, 45m rest, 10m work, 15m rest, 4h30 drive, 30m rest, 30m drive",
+        "Art. 7 Mon 13:10 +30"),
     # the first part of the second break is taken after the first
     day("3h drive, 15m rest, 1h30 drive, 30m rest, 15m drive, 30m rest, 4h30 drive",
         "Art. 7 Mon 16:15 +15"),
@@ -115,6 +119,8 @@ BREAKS = [
 TWO_DRIVERS = [
     day("4h30 drive, 45m passenger, 4h30 drive", drivers=2),
     day("4h30 drive, 44m passenger, 1m drive", "Art. 7 Mon 11:14 +1", drivers=2),
+    day("10m drive, 45m passenger, 10m work, 15m rest, 4h20 drive, 30m rest, 4h30 drive",
+        drivers=2),
     day("4h30 drive, 20m rest, 25m passenger, 4h30 drive", drivers=2),
     day("2h drive, 15m passenger, 2h30 drive, 30m rest, 1m drive", "Art. 7 Mon 11:15 +1",
         drivers=2),
