@@ -4,9 +4,10 @@ The reading: a day is allowed if *some* choice of its pauses makes it so. A paus
 whole break; so are two pauses, the first of 15 min or more, the second of 30 or more, in that
 order; the other way round they are none. Driving is counted from the end of the whole break that
 was chosen last. Both parts lie within the driving that they interrupt: a pause before any driving
-since a break or rest is no part of one. A pause need not be counted as a first part. Whoever pairs the first 15 min with
-the first 30 min that follow, always, makes a legal day illegal by one more pause: 2 h, 30 min, 2 h,
-30 min, 4 h 30 is legal, and would not be so with 15 min more after the first hour.
+since a break or rest is no part of one. A pause need not be counted as a first part. Whoever pairs
+the first 15 min with the first 30 min that follow, always, makes a legal day illegal by one more
+pause: 2 h, 30 min, 2 h, 30 min, 4 h 30 is legal, and would not be so with 15 min more after the
+first hour.
 
 If no choice is allowed, one with the least driving beyond 4 h 30 in all is told. The search keeps
 choices that no other beats in driving beyond and in driving since the last break, those with a
