@@ -333,6 +333,11 @@ def test_a_curve_under_rules_says_so_and_its_line_ends_where_nobody_can_leave() 
         unknown = written(time_worth(replace(curve, is_exact=False), None))
         assert "More may be possible." in unknown
         assert "no line" not in unknown
+        some = replace(curve, is_exact=False, bound=np.array([100.0, 85.0, 75.0]))
+        bounded = written(time_worth(some, None))
+        assert "Dashed: no plan saves more." in bounded
+        dashed = re.findall('<polyline points="([^"]*)"[^>]*dasharray', bounded)
+        assert [one.count(" ") for one in dashed] == [3, 1]
 
 
 def test_names_in_a_curve_are_shown_as_they_are() -> None:

@@ -16,6 +16,7 @@ from ...errors import ScenarioError, brief
 from ...plans.curves import DelayFrontier, DepartureCurve
 from ...shown_text import shortened
 from ..document.checks import check_path
+from ..document.status import law_name
 from ..drawing.palette import GAIN, INK, MUTED, PLATOON, PLATOON_CASING
 from ..drawing.ticks import hour_ticks
 from ..language.speech import clock_time, say, speaking
@@ -79,7 +80,8 @@ def _curve(curve: DepartureCurve) -> Figure:
 
     joining = [k for k, spans in enumerate(curve.joins) if len(spans)]
     rows = joining if len(joining) <= MOST_ROWS else []
-    figure = Figure(figsize=(WIDTH_IN, 2.2 + 0.26 * len(rows)), layout="constrained")
+    height = 2.2 + 0.26 * len(rows) + (0.5 if curve.rules else 0.0)
+    figure = Figure(figsize=(WIDTH_IN, height), layout="constrained")
     if rows:
         heights = [2.0, 0.3 + 0.26 * len(rows)]
         above, below = figure.subplots(2, 1, sharex=True, height_ratios=heights)
@@ -100,16 +102,30 @@ def _curve(curve: DepartureCurve) -> Figure:
     ticks = hour_ticks(times, float(curve.begin_s[0]), float(curve.end_s[-1]))
     texts = [clock_time(times, at).replace(" ", "\n", 1) for at, _ in ticks]
     below.set_xticks([at for at, _ in ticks], texts)
-    below.set_xlabel(say("figures.departure", who=shortened(curve.master, 24)))
+    label = say("figures.departure", who=shortened(curve.master, 24))
+    below.set_xlabel(_with_law(label, curve.rules))
     return figure
+
+
+def _with_law(label: str, rules: str) -> str:
+    """Tell below the name of an axis which driving rules hold."""
+    return f"{label}\n{law_name(rules)}" if rules else label
 
 
 def _saving(axes: Axes, curve: DepartureCurve) -> None:
     """Draw the share saved, a step at a time; where two steps meet, the line goes up or down."""
-    moments = np.column_stack([curve.begin_s, curve.end_s]).ravel()
-    costs = np.column_stack([curve.cost, curve.end_cost]).ravel()
     whole = curve.solo_cost or 1.0
-    axes.plot(moments, 100 * (1 - costs / whole), color=GAIN, linewidth=1.4)
+    # Nothing is drawn where steps do not meet, for the master cannot leave then.
+    apart = np.append(curve.begin_s[1:] > curve.end_s[:-1] + 1, False)
+    gap = np.where(apart, np.nan, curve.end_s)
+    moments = np.column_stack([curve.begin_s, curve.end_s, gap]).ravel()
+    saved = 100 * (
+        1 - np.column_stack([curve.cost, curve.end_cost, curve.end_cost]).ravel() / whole
+    )
+    axes.plot(moments, saved, color=GAIN, linewidth=1.4)
+    if curve.bound is not None:
+        most = 100 * (1 - np.repeat(curve.bound, 3) / whole)
+        axes.fill_between(moments, saved, most, color=MUTED, alpha=0.2, linewidth=0)
     axes.plot([curve.best_s], [100 * curve.best_saving], "o", color=INK, markersize=4)
     axes.axvline(curve.best_s, color=INK, linewidth=0.8, linestyle=":")
     axes.axhline(0, color=MUTED, linewidth=0.6)
@@ -117,13 +133,14 @@ def _saving(axes: Axes, curve: DepartureCurve) -> None:
 
 
 def _frontier(frontier: DelayFrontier) -> Figure:
-    figure, axes = axes_of(2.6)
+    figure, axes = axes_of(2.8 if frontier.rules else 2.6)
     delay, saved = frontier.delay_min, 100 * frontier.saving_share
     most = 100 * (1 - frontier.bound / (frontier.solo_cost or 1.0))
     # Between two delays at least what the shorter one allows is saved.
     axes.fill_between(delay, saved, most, step="post", color=MUTED, alpha=0.2, linewidth=0)
     axes.step(delay, saved, "o-", where="post", color=GAIN, linewidth=1.4, markersize=4)
     axes.set_ylim(bottom=0)
-    axes.set_xlabel(say("figures.delay" if frontier.gap.max() < LEAST_GAP else "figures.delay-gap"))
+    label = say("figures.delay" if frontier.gap.max() < LEAST_GAP else "figures.delay-gap")
+    axes.set_xlabel(_with_law(label, frontier.rules))
     axes.set_ylabel(say("figures.saving"))
     return figure

@@ -69,16 +69,17 @@ def _curve(curve: DepartureCurve) -> Piece:
         (_share(curve.cost[k], curve.solo_cost), _share(curve.end_cost[k], curve.solo_cost))
         for k in steps
     ]
-    most = max(max(pair) for pair in saved)
-    scale = _Scale(most)
+    bound = [] if curve.bound is None else [_share(one, curve.solo_cost) for one in curve.bound]
+    scale = _Scale(max([*(max(pair) for pair in saved), *bound]))
     lines: list[list[Point]] = []
+    bounds: list[list[Point]] = []
     for k, (first, last) in zip(steps, saved, strict=True):
         if not k or curve.begin_s[k] > curve.end_s[k - 1] + 1:
             lines.append([])
-        lines[-1] += [
-            (zero + float(curve.begin_s[k]) * per_second, scale.y(first)),
-            (zero + float(curve.end_s[k]) * per_second, scale.y(last)),
-        ]
+            bounds.append([])
+        x = [zero + float(at[k]) * per_second for at in (curve.begin_s, curve.end_s)]
+        lines[-1] += zip(x, (scale.y(first), scale.y(last)), strict=True)
+        bounds[-1] += [(at, scale.y(one)) for at in x for one in bound[k : k + 1]]
     ticks = day_scale(clock, begin, end, lambda at: zero + at * per_second, (0.0, WIDTH))
     master = fitted(curve.master)
     kept = sorted(sorted(steps, key=lambda k: (-max(saved[k]), k))[:MOST_ROWS])
@@ -92,7 +93,7 @@ def _curve(curve: DepartureCurve) -> Piece:
     ]
     told = [_best(curve, master)]
     if not curve.is_exact:
-        told.append(say("time.not-exact"))
+        told.append(say("time.bound" if bound else "time.not-exact"))
     elif len(lines) > 1:
         told.append(say("time.no-line", vehicle=master))
     return _chart(
@@ -104,7 +105,7 @@ def _curve(curve: DepartureCurve) -> Piece:
         scale,
         [line_text(points) for points in lines],
         (zero + curve.best_s * per_second, scale.y(curve.best_saving)),
-        NOTHING,
+        tuple(_dashed(line_text(points)) for points in bounds if points),
         (say("time.departure"), say("time.saved"), say("time.with")),
         rows,
         curve.conditions,
@@ -163,11 +164,16 @@ def _frontier(frontier: DelayFrontier) -> Piece:
         scale,
         [stairs(saved)],
         (LEFT + most * per_minute, scale.y(saved[-1])),
-        NOTHING if proved else Piece("time-worth-bound", {"points": stairs(bound)}),
+        NOTHING if proved else _dashed(stairs(bound)),
         heads[:2] + heads[3:] if proved else heads,
         rows,
         frontier.conditions,
     )
+
+
+def _dashed(points: str) -> Piece:
+    """Draw what no plan saves more than."""
+    return Piece("time-worth-bound", {"points": points})
 
 
 def _share(cost: float, solo: float) -> float:
