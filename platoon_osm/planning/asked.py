@@ -17,6 +17,7 @@ from .fleet_of import fleet_of
 from .places import PlacedEnds, placed
 from .problem import Problem
 from .question import Question
+from .quick_alone import take_quick_routes
 from .road_closures import closed_roads
 
 __all__ = ["Asked"]
@@ -66,7 +67,10 @@ class Asked:
         problem = replace(problem, net=places.net)
         trees = _trees(problem, fleet, places)
         ends = resolve_trips(places.net, fleet, trees, problem.trips, places.ends)
-        return cls(Question(problem, fleet, tuple(ends), trees), locations, shut)
+        question = Question(problem, fleet, tuple(ends), trees)
+        if problem.method == "dijkstra":
+            take_quick_routes(question)
+        return cls(question, locations, shut)
 
     @property
     def net(self) -> RoadNetwork:

@@ -100,7 +100,7 @@ def _masters(tried: Tried) -> tuple[MasterTried, ...]:
 
 def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
     any_plan = least_total(
-        question.net, question.fleet, question.node_pairs, question.solo, best.cost
+        question.net, question.fleet, question.node_pairs, question.least, best.cost
     )
     conditions = () if question.waiting_costs else (WAITING_FREE,)
     if len(question.ends) < 2:

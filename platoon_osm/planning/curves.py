@@ -190,7 +190,7 @@ def delay_frontier(
             cost, _, name, company = rows[-1]
         if not math.isfinite(bound):
             bound = least_total(
-                question.net, question.fleet, question.node_pairs, question.solo, cost
+                question.net, question.fleet, question.node_pairs, question.least, cost
             )
         rows.append((cost, min(bound, cost), name, company))
     costs, bounds, names, members = zip(*rows, strict=True)

@@ -33,6 +33,7 @@ from .masters import choices_of
 from .place_remarks import with_place_remarks
 from .problem import Company, Optimum, Problem, check_choice
 from .question import Question
+from .quick_alone import told_quick
 from .reasons import reasons_alone
 from .routers import AstarRouter, Method
 from .star import Star
@@ -204,6 +205,7 @@ def solve(problem: Problem) -> Plan:
     else:
         plan = timed(_by_astar(question))
     plan = with_waits_at_parkings(plan, network_below(net), vehicles)
+    plan = replace(plan, remarks=(*plan.remarks, *told_quick(question)))
     return _with_rules(_with_limits(plan, net, vehicles, shut), problem)
 
 

@@ -28,6 +28,12 @@ __all__ = ["NO_DEARER", "Question"]
 Edges = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
+WORKED_OUT = (
+    "solo", "by_length", "fixed_master", "join_costs", "windows", "_windows", "alone_s",
+    "ways_in_time", "_in_time",
+)  # fmt: skip
+"""What follows from the routes alone."""
+
 NO_DEARER = 1e-9
 """Who pays this share more than alone has lost nothing but last digits."""
 
@@ -52,6 +58,11 @@ class Question:
         The route of each vehicle alone.
     lengths_m : ndarray of float, (N,)
         Their lengths [m].
+    least : ndarray of float, (N,)
+        Least cost of each alone, whatever the clock.
+    quicker : dict of int to float
+        Vehicles whose route alone is quicker than the cheapest, and by how much they would be late
+        on that [s].
     """
 
     def __init__(
@@ -65,6 +76,26 @@ class Question:
             for router, item in zip(self.routers, ends, strict=True)
         ]
         self.lengths_m = np.array([float(self.net.length_m[own].sum()) for own in self.alone])
+        self.least = np.array([float(fleet[k].solo[own].sum()) for k, own in enumerate(self.alone)])
+        self.quicker: dict[int, float] = {}
+
+    def take_alone(self, index: int, route: Edges, late_s: float) -> None:
+        """Let a vehicle take another route alone; what was worked out from it is forgotten.
+
+        Parameters
+        ----------
+        index : int
+            Its position.
+        route : ndarray of int, (k,)
+            The route, quicker and no cheaper.
+        late_s : float
+            How late it would be by the cheapest [s].
+        """
+        self.alone[index] = route
+        self.lengths_m[index] = float(self.net.length_m[route].sum())
+        self.quicker[index] = late_s
+        for name in WORKED_OUT:
+            self.__dict__.pop(name, None)
 
     @cached_property
     def solo(self) -> Floats:
@@ -122,7 +153,10 @@ class Question:
     def join_costs(self) -> JoinCosts:
         """What it costs to reach the routes of others."""
         roads = [road_of(self.net, own) for own in self.alone]
-        return JoinCosts(self.net, self.ends, roads, self.routers, self.fleet)
+        found = JoinCosts(self.net, self.ends, roads, self.routers, self.fleet)
+        for index in self.quicker:
+            found.solo[index] = self.solo[index]
+        return found
 
     @cached_property
     def windows(self) -> list[Window] | None:

@@ -23,6 +23,7 @@ from ...plans.clock import Clock
 from ...plans.timetable import LATE_S
 from ...vehicles.profile import Vehicle
 from ..question import Question
+from ..quick_alone import quicker_ways
 from ..timing.forbidden import Interval
 from ..timing.limits import Window, first_named, windows_of
 from ..timing.road_hours import RoadHours
@@ -34,6 +35,10 @@ from .way_points import WayPoints, way_points
 __all__ = ["LegalQuestion", "TripAlone"]
 
 Edges = NDArray[np.int64]
+
+MOST_WAYS = 24
+"""Of more ways that are quicker than the usual one every second, third and so on is looked at, the
+quickest among them."""
 
 DAY_S = 86_400.0
 
@@ -79,11 +84,15 @@ class LegalQuestion:
         A Monday, 0:00 UTC, at or before it [s]; times without a zone are taken to be in UTC.
     rules : tuple of VehicleRules, (N,)
         The law for each vehicle.
+    alone : tuple of TripAlone, (N,)
+        The legal trip of each vehicle alone; the question's routes alone are theirs.
 
     Raises
     ------
     ScenarioError
         No trip names a time.
+    NoLegalTripError
+        A vehicle has no legal trip at all.
     """
 
     def __init__(self, question: Question, vehicles: Sequence[Vehicle]) -> None:
@@ -118,6 +127,8 @@ class LegalQuestion:
         self._hours = RoadHours(
             network_below(question.net), first, min(moments) - AROUND_S, max(moments) + AROUND_S
         )
+        # First of all, for routes that follow from it are asked for by everybody.
+        self.alone = tuple(self._alone(index) for index in range(len(self.vehicles)))
 
     def closed(self, index: int, edge: int) -> Sequence[Interval]:
         """Return when an edge is closed to a vehicle.
@@ -174,13 +185,31 @@ class LegalQuestion:
             lambda edge: self.closed(index, edge), **known,
         )  # fmt: skip
 
-    @cached_property
-    def alone(self) -> tuple[TripAlone, ...]:
-        """The legal trip of each vehicle alone, (N,)."""
-        return tuple(self._alone(index) for index in range(len(self.vehicles)))
-
     def _alone(self, index: int) -> TripAlone:
-        edges = self.question.alone[index]
+        """Return the trip by the cheapest route that is in time, or by the one least late."""
+        usual = best = self._by(index, self.question.alone[index])
+        late_s = self._late_s(index, usual)
+        if late_s <= 0:
+            return usual
+        route = None
+        ways = list(quicker_ways(self.question, index))[::-1]
+        for edges in ways[:: -(-len(ways) // MOST_WAYS) or 1][::-1]:
+            found = self._by(index, edges)
+            if self._late_s(index, found) < self._late_s(index, best):
+                best, route = found, edges
+                if self._late_s(index, best) <= 0:
+                    break
+        if route is not None:
+            self.question.take_alone(index, route, late_s)
+        return best
+
+    def _late_s(self, index: int, own: TripAlone) -> float:
+        """Return how late a trip arrives, or leaves; the later of both [s]."""
+        arrival = self._asked[index].arrival
+        late = 0.0 if arrival is None else own.trip.arrival_s - arrival
+        return max(late, float(own.after_latest_s))
+
+    def _by(self, index: int, edges: Edges) -> TripAlone:
         for near_s in (None, 0.0):
             way = self.way(index, edges, near_s=near_s)
             for keeps_latest in (True, False):

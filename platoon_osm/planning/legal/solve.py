@@ -70,7 +70,7 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
 def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
     question = legal.question
     any_plan = least_total(
-        question.net, question.fleet, question.node_pairs, question.solo, answer.cost
+        question.net, question.fleet, question.node_pairs, question.least, answer.cost
     )
     common = of_every_plan(question)
     if len(question.ends) < 2:
