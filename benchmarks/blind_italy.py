@@ -74,7 +74,9 @@ def main(draws: int = DRAWS) -> None:
             ways = MemberWays(legal, own)
 
             def best(star: StarTimes, real: bool = True, ways: MemberWays = ways) -> PlatoonTiming:
-                return search_platoon(star, ways.real if real else None, 60.0, most_spans=SPANS)
+                return search_platoon(
+                    star, ways.real if real else None, 60.0, most_spans=SPANS, roads=ways
+                )
 
             exact = best(own.times)
             unproved += not exact.proved

@@ -32,7 +32,6 @@ class Way:
     clock: tuple
     stay: tuple
     leave: tuple
-    met: tuple = ()
 
 
 def drivable(way, rules, window, slack=0):
@@ -79,14 +78,6 @@ def drivable(way, rules, window, slack=0):
             else:
                 last = min(late - left[k], window.latest_s if k == 0 else late)
                 moments = range(time, last + 1) if k == 0 or way.stay[k] else [time]
-            if way.met and k == way.met[0]:
-                moments = [one for one in moments if way.met[1] <= one <= way.met[2]]
-            if way.met and k == way.met[3] and time > way.met[5]:
-                continue
-            if way.met and k == way.met[3]:
-                # Where it may not stand it waits all the same: nobody is ruled out for that.
-                moments = [one for one in (moments or [time]) if one >= way.met[4]] or [way.met[4]]
-                moments = [one for one in moments if one >= time]
             for leaves in moments:
                 counts = NO_LIMIT if k == 0 else way.stay[k]
                 for gone in paused(now, leaves, counts):
@@ -188,29 +179,15 @@ class Drawn:
             return LegalTrip(window.earliest_s, window.arrival_s)
         return None
 
-    def free(self, member, i, j, moments):
-        """Whether the member could drive by i and j, with any pauses at the master's places."""
-        star = self.star
-        low, high = int(star.node_at[i]), int(star.node_at[j])
-        before, after = self.approach[member][i], self.onward[member][j]
-        window, rules = star.windows[member], star.member_rules[member]
-        own = star.road.stay_s.tolist()
-        drive = tuple(star.road.drive_s[low:high].tolist())
-        clock = tuple(int(np.ceil(one * (1 - star.relief))) for one in drive)
-        stay = (
-            *before[1][:-1], NO_LIMIT, *own[low + 1 : high],
-            max(own[high], after[1][0]), *after[1][1:],
-        )  # fmt: skip
-        begin, by, after_s, end = moments
-        last = len(before[0]) + len(drive)
-        met = len(before[0]), begin, by, last, after_s, end
-        if not after[0] and after_s > window.arrival_s:
-            return False
-        way = Way(
-            (*before[0], *drive, *after[0]), (*before[0], *clock, *after[0]), stay,
-            (None,) * len(stay), met,
-        )  # fmt: skip
-        return drivable(way, rules, window)
+    def road_to(self, member, i):
+        """What the search asks of a member's way to a node."""
+        hops, stay = self.approach[member][i]
+        return road_of(hops, stay)
+
+    def road_from(self, member, j):
+        """What it asks of the way on."""
+        hops, stay = self.onward[member][j]
+        return road_of(hops, stay)
 
     def goes_alone(self, member):
         """Whether a member can drive alone."""

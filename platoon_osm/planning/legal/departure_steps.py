@@ -175,7 +175,7 @@ class _Walk:
             if search is None:
                 return
             ended = self._run(search, span, floor)
-            known = min([search.best, *(entry[1] for entry in search.heap)])
+            known = search.bound
             search.heap.clear()
             floor = max(floor, known)
             self.complete &= ended
@@ -223,7 +223,7 @@ def _step(search: SpanSearch, span: _Span, ended: bool, floor: float) -> Departu
 
 def _last_alike(search: SpanSearch, stops: Stops, pays: float, at: int, v: int) -> int:
     """Return up to which departure members certainly pay no more with the same stops."""
-    spans = search.allowed(stops, at, v)
+    spans = search.stops.allowed(search.star.road, stops, at, v)
     if not spans or spans[0][0] != at:
         return at
     most, last = pays + search.tolerance, at - 1
@@ -236,6 +236,8 @@ def _last_alike(search: SpanSearch, stops: Stops, pays: float, at: int, v: int) 
         if not below:
             break
         _, total, node = below[0]
+        if node.begin != last + 1:
+            break
         if total < most or not len(node.rows):
             last = node.end
         else:

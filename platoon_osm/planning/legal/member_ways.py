@@ -17,9 +17,8 @@ from ...driving.limits import Limits
 from ...plans.stretches import Run, runs_alone, runs_along
 from .legal_question import LegalQuestion
 from .one_driver import fastest
-from .platoon_real import met_between
-from .platoon_record import MASTER, Moments, Timetable
-from .road import FREE, NO_LIMIT, LegalTrip, Road, road_of
+from .platoon_record import MASTER, Timetable
+from .road import FREE, LegalTrip, Road, road_of
 from .star_input import StarWay
 from .star_times import OPEN_S
 from .way_points import WayPoints, joined, part_of_way
@@ -172,44 +171,39 @@ class MemberWays:
             return self.master_trip(timetable.leave_s, timetable.slack_s)
         return self.trip(member, [(i, j)], timetable.leave_s, timetable.slack_s)
 
-    def free(self, member: int, i: int, j: int, moments: Moments) -> bool:
-        """Answer the search's question whether a member could drive by two nodes; see `Free`.
+    def road_to(self, member: int, node: int) -> Road:
+        """Return a member's way to a node of the master's route; see `OwnRoads`.
 
         Parameters
         ----------
         member : int
             The member, as its star numbers it.
-        i, j : int
-            Nodes of the master's route.
-        moments : (int, int, int, int)
-            When it leaves the one, and reaches the other, at the earliest and latest [s].
+        node : int
+            The node's position on the route.
 
         Returns
         -------
-        bool
-            Whether it has a legal trip in its window.
+        Road
+            From its origin.
         """
-        times = self.own.times
-        window, rules = times.windows[member], times.member_rules[member]
-        before, after = self.approach(member, i)[1], self.onward(member, j)[1]
-        first, end = int(times.node_at[i]), int(times.node_at[j])
-        part = part_of_way(self.own.way, first, end, 1 - times.relief)
-        road = joined([before, part, after]).road
-        hops = before.road.hops
-        stay = road.stay_s.copy()
-        stay[hops] = NO_LIMIT
-        road = met_between(replace(road, stay_s=stay), hops, hops + part.road.hops, moments)
-        if not after.road.hops and moments[2] > window.arrival_s:
-            return False
-        earliest = window.earliest_s
-        if earliest == -OPEN_S:
-            earliest = moments[0] - int(times.approach_s[member, i]) - BEFORE_S
-        trip = fastest(
-            road, rules.limits, rules.state, rules.state_at_s, earliest,
-            None if window.latest_s == OPEN_S else window.latest_s,
-            None if window.arrival_s == OPEN_S else window.arrival_s, times.monday_s,
-        )  # fmt: skip
-        return trip is not None
+        return self.approach(member, node)[1].road
+
+    def road_from(self, member: int, node: int) -> Road:
+        """Return a member's way from a node of the master's route; see `OwnRoads`.
+
+        Parameters
+        ----------
+        member : int
+            The member, as its star numbers it.
+        node : int
+            The node's position on the route.
+
+        Returns
+        -------
+        Road
+            To its destination.
+        """
+        return self.onward(member, node)[1].road
 
     def approach(self, row: int, i: int) -> tuple[Edges, WayPoints]:
         """Return a member's way to a node of the master's route.

@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_kernel as kernel
+from . import platoon_clocks as clocks_of
 from .platoon_numbers import StarNumbers
 from .platoon_record import MemberTiming, Timetable
 from .road import LegalTrip
@@ -30,7 +30,7 @@ Four = tuple[int, int, int, int]
 State = tuple[int, int, int, int]
 """Driven, with no part of a break and with the first; today; when duty began."""
 
-FAR = kernel.FAR
+FAR = clocks_of.FAR
 
 MOST_LOOKED = 20_000
 """Quadruples that are looked at for a member."""
@@ -150,10 +150,11 @@ def _could(some: StarNumbers, table: Timetable, row: int, four: Four) -> bool:
     v = some.vehicles[row]
     i, j, k, m = four
     arrives, leaves = table.arrive_s[some.pos], table.leave_s[some.pos]
-    rows = np.empty((2, 4), np.int64)
-    if not kernel.entry_states(v, int(some.approach[row, i]), int(leaves[i]), 0, False, rows):
+    entered = np.empty(4, np.int64)
+    if not clocks_of.entry_state(v, int(some.approach[row, i]), int(leaves[i]), entered):
         return False
-    first = _with_platoon(some, table, row, tuple(rows[0].tolist()), i, j)
+    free, parted, today, duty = entered.tolist()
+    first = _with_platoon(some, table, row, (free, parted, today, duty), i, j)
     if first is None:
         return False
     rejoins = _alone(v, first, int(some.tau[some.pos[k]] - some.tau[some.pos[j]]),
@@ -165,10 +166,10 @@ def _could(some: StarNumbers, table: Timetable, row: int, four: Four) -> bool:
     after = _paused(v, last, stands, int(leaves[m]))
     onward = int(some.onward[row, m])
     ends = min(
-        kernel.onward_at(v, *state, at, onward)
+        clocks_of.onward_at(v, *state, at, onward, onward)
         for state, at in ((last, int(arrives[m])), (after, int(leaves[m])))
     )
-    return bool(ends <= v[kernel.ARRIVAL])
+    return bool(ends <= v[clocks_of.ARRIVAL])
 
 
 def _with_platoon(
@@ -181,11 +182,11 @@ def _with_platoon(
         step = int(clock[place] - clock[at])
         at = place
         free, parted, today, duty = state
-        free = free + step if free + step <= v[kernel.SPELL] else FAR
-        parted = parted + step if parted + step <= v[kernel.SPELL] else FAR
+        free = free + step if free + step <= v[clocks_of.SPELL] else FAR
+        parted = parted + step if parted + step <= v[clocks_of.SPELL] else FAR
         state = free, parted, today + step, duty
-        tired = min(free, parted) >= FAR or today + step > v[kernel.DAY]
-        if tired or table.arrive_s[place] - duty > v[kernel.WINDOW]:
+        tired = min(free, parted) >= FAR or today + step > v[clocks_of.DAY]
+        if tired or table.arrive_s[place] - duty > v[clocks_of.WINDOW]:
             return None
         if length >= 0:
             state = _paused(v, state, length, int(table.leave_s[place]))
@@ -194,9 +195,9 @@ def _with_platoon(
 
 def _paused(v: Seconds, state: State, length: int, leaves: int) -> State:
     free, parted, today, duty = state
-    if length >= v[kernel.REST]:
+    if length >= v[clocks_of.REST]:
         return 0, 0, 0, leaves
-    free, parted = kernel.paused(v, free, parted, length)
+    free, parted = clocks_of.paused(v, free, parted, length)
     return int(free), int(parted), today, duty
 
 
@@ -206,12 +207,12 @@ def _alone(v: Seconds, state: State, drive: int, lasts: int, leaves: int) -> Sta
     spare, driven, part = lasts - drive, min(free, parted), int(parted < FAR)
     if spare < 0:
         return None
-    if spare >= v[kernel.REST]:
+    if spare >= v[clocks_of.REST]:
         return 0, 0, 0, leaves
-    breaks = kernel.needed(int(v[kernel.SPELL]), driven, drive)
-    if spare < kernel.breaks_s(v, breaks, part) or today + drive > v[kernel.DAY]:
+    breaks = clocks_of.needed(int(v[clocks_of.SPELL]), driven, drive)
+    if spare < clocks_of.breaks_s(v, breaks, part) or today + drive > v[clocks_of.DAY]:
         return None
-    if spare >= kernel.breaks_s(v, breaks + 1, part):
+    if spare >= clocks_of.breaks_s(v, breaks + 1, part):
         return 0, 0, today + drive, duty
-    left = max(0, driven + drive - breaks * int(v[kernel.SPELL]))
+    left = max(0, driven + drive - breaks * int(v[clocks_of.SPELL]))
     return left, left, today + drive, duty

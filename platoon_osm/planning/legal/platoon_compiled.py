@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from ...search.hierarchy.runtime.where_it_pays import WhereItPays
-from .platoon_kernel import HELPERS, evaluate, next_stops
+from . import platoon_kernel, platoon_next_stops, platoon_own_places, platoon_own_ways
 
-__all__ = ["EVALUATE", "NEXT_STOPS", "Kernels", "kernels_for"]
+__all__ = ["KERNELS", "Kernels", "kernels_for"]
 
 COMPILING_S = 12.0
 """How long compiling takes, about [s]."""
@@ -16,12 +17,36 @@ COMPILING_S = 12.0
 PLACE_S = 0.5
 """How long a plain search takes for each member and point, about [s]."""
 
-Kernels = tuple[Callable[..., Any], Callable[..., Any]]
-"""`platoon_kernel.evaluate` and `next_stops`."""
+Kernel = Callable[..., Any]
 
-EVALUATE: WhereItPays[Callable[..., Any]] = WhereItPays(evaluate, COMPILING_S, HELPERS)
 
-NEXT_STOPS: WhereItPays[Callable[..., Any]] = WhereItPays(next_stops, COMPILING_S, HELPERS)
+@dataclass(frozen=True, slots=True)
+class Kernels:
+    """The kernels, compiled or not.
+
+    Attributes
+    ----------
+    evaluate, next_stops, plain_ways, entries_by_places, exits_by_places : callable
+        Of the files that hold them.
+    """
+
+    evaluate: Kernel = platoon_kernel.evaluate
+    next_stops: Kernel = platoon_next_stops.next_stops
+    plain_ways: Kernel = platoon_own_ways.plain_ways
+    entries_by_places: Kernel = platoon_own_places.entries_by_places
+    exits_by_places: Kernel = platoon_own_places.exits_by_places
+
+
+_PLACES = platoon_own_places.HELPERS
+
+KERNELS: tuple[WhereItPays[Kernel], ...] = (
+    WhereItPays(platoon_kernel.evaluate, COMPILING_S, platoon_kernel.HELPERS),
+    WhereItPays(platoon_next_stops.next_stops, COMPILING_S, platoon_next_stops.HELPERS),
+    WhereItPays(platoon_own_ways.plain_ways, COMPILING_S, platoon_own_ways.HELPERS),
+    WhereItPays(platoon_own_places.entries_by_places, COMPILING_S, _PLACES),
+    WhereItPays(platoon_own_places.exits_by_places, COMPILING_S, _PLACES),
+)
+"""In the order of `Kernels`."""
 
 
 def kernels_for(size: int) -> Kernels:
@@ -34,7 +59,7 @@ def kernels_for(size: int) -> Kernels:
 
     Returns
     -------
-    evaluate, next_stops : callable
-        Of `platoon_kernel`, or the same compiled.
+    Kernels
+        Those of the files, or the same compiled.
     """
-    return EVALUATE.ready(size * PLACE_S), NEXT_STOPS.ready(size * PLACE_S)
+    return Kernels(*(kernel.ready(size * PLACE_S) for kernel in KERNELS))

@@ -13,16 +13,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_kernel as kernel
+from . import platoon_clocks as clocks_of
 from .star_times import NEVER_S, OPEN_S, Span, StarTimes, VehicleRules
 
-__all__ = ["StarNumbers", "numbers_of_star"]
+__all__ = ["StarNumbers", "least_s", "numbers_of_star"]
 
 Floats = NDArray[np.float64]
 Seconds = NDArray[np.int64]
 Marks = NDArray[np.bool_]
 
-FAR = kernel.FAR
+FAR = clocks_of.FAR
 WEEK_S = 7 * 24 * 3600
 TIE = 1e-11
 """As in `search.tie_rule`: costs that differ by less, relative to the cost alone, are equal."""
@@ -37,7 +37,7 @@ class StarNumbers:
     Attributes
     ----------
     vehicles : ndarray of int, (M + 1, NUMBERS)
-        What is known of each, see `platoon_kernel`.
+        What is known of each, see `platoon_clocks`.
     approach, onward : ndarray of int, (M + 1, n)
         Driving times to points and from them [s].
     ready, must : ndarray of int, (M + 1, n)
@@ -153,17 +153,32 @@ def numbers_of_star(star: StarTimes, in_time: Marks, plain: Marks, rests: int) -
         ],
         np.int64,
     )
-    ready = vehicles[:, kernel.EARLIEST, None] + _least(vehicles, approach, begins=True)
-    must = vehicles[:, kernel.ARRIVAL, None] - _least(vehicles, onward, begins=False)
+    ready = vehicles[:, clocks_of.EARLIEST, None] + least_s(vehicles, approach, begins=True)
+    must = vehicles[:, clocks_of.ARRIVAL, None] - least_s(vehicles, onward, begins=False)
     return StarNumbers(
         vehicles, approach, onward, ready, must, entry, leave, platoon, alone, slack, pos, tau,
         clocks, np.array([0] * members + [1], np.int64), along, star.road.stay_s, first, penalty,
     )  # fmt: skip
 
 
-def _least(vehicles: Seconds, drives: Seconds, begins: bool) -> Seconds:
-    """Return how long ways take at least, from the beginning of a trip or with clocks at 0."""
-    some = {name: vehicles[:, getattr(kernel, name), None] for name in (
+def least_s(vehicles: Seconds, drives: Seconds, begins: bool) -> Seconds:
+    """Return how long ways take at least, with pauses anywhere.
+
+    Parameters
+    ----------
+    vehicles : ndarray of int, (X, NUMBERS)
+        What is known of vehicles.
+    drives : ndarray of int, (X, n)
+        Driving times of ways of each [s].
+    begins : bool
+        Whether trips begin there; else clocks are at 0.
+
+    Returns
+    -------
+    ndarray of int, (X, n)
+        With the pauses [s].
+    """
+    some = {name: vehicles[:, getattr(clocks_of, name), None] for name in (
         "SPELL", "BREAK", "SECOND", "BROKEN", "PART", "DAY", "REST", "TODAY",
     )}  # fmt: skip
     driven = some["BROKEN"] if begins else 0

@@ -13,11 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .one_driver import fastest
-from .platoon_record import MASTER, Moments, Timetable
-from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
+from .platoon_record import MASTER, Timetable
+from .road import FREE, IntArray, LegalTrip, Road
 from .star_times import OPEN_S, StarTimes, VehicleRules
 
-__all__ = ["RoadTrips", "met_between"]
+__all__ = ["RoadTrips"]
 
 WEEK_S = 7 * 24 * 3600
 
@@ -122,54 +122,35 @@ class RoadTrips:
             closed,
         )
 
-    def free(self, member: int, i: int, j: int, moments: Moments) -> bool:
-        """Answer a `Free` question.
+    def road_to(self, member: int, node: int) -> Road:
+        """Return the way of a member to a node of the master's route.
 
         Parameters
         ----------
-        member : int
+        member, node : int
             Of the star.
-        i, j : int
-            Nodes of the master's route where it merges and separates.
-        moments : (int, int, int, int)
-            When it leaves the one, and reaches the other [s].
 
         Returns
         -------
-        bool
-            Whether it has a legal trip in its window.
+        Road
+            As `approach` says.
         """
-        star, road = self.star, self.star.road
-        low, high = self._low(i), self._low(j)
-        before, after = self.approach(member, i), self.onward(member, j)
-        shared = road.drive_s[low:high]
-        counted = np.ceil(shared * (1.0 - star.relief) - 1e-6).astype(np.int64)
-        stay = road.stay_s[low : high + 1].copy()
-        stay[0], stay[-1] = NO_LIMIT, max(stay[-1], after.stay_s[0])
-        whole = _road(
-            np.concatenate([before.drive_s, shared, after.drive_s]),
-            np.concatenate([before.clock_s, counted, after.clock_s]),
-            np.concatenate([before.stay_s[:-1], stay, after.stay_s[1:]]),
-            np.full(before.hops + len(shared) + after.hops + 1, FREE),
-            [
-                *(before.forbidden(k) for k in range(before.hops)),
-                *(road.forbidden(k) for k in range(low, high)),
-                *(after.forbidden(k) for k in range(after.hops)),
-            ],
-        )
-        window, rules = star.windows[member], star.member_rules[member]
-        if after.hops == 0 and moments[2] > window.arrival_s:
-            return False
-        whole = met_between(whole, before.hops, before.hops + len(shared), moments)
-        earliest = window.earliest_s
-        if earliest <= -OPEN_S:
-            earliest = moments[0] - int(before.drive_s.sum()) - BEFORE_S
-        trip = fastest(
-            whole, rules.limits, rules.state, rules.state_at_s, earliest,
-            None if window.latest_s >= OPEN_S else window.latest_s,
-            None if window.arrival_s >= OPEN_S else window.arrival_s, star.monday_s,
-        )  # fmt: skip
-        return trip is not None
+        return self.approach(member, node)
+
+    def road_from(self, member: int, node: int) -> Road:
+        """Return the way of a member on from a node of the master's route.
+
+        Parameters
+        ----------
+        member, node : int
+            Of the star.
+
+        Returns
+        -------
+        Road
+            As `onward` says.
+        """
+        return self.onward(member, node)
 
     def _low(self, node: int) -> int:
         return int(self.star.node_at[node])
@@ -197,36 +178,6 @@ class RoadTrips:
         low = (int(table.leave_s[0]) - span - self.star.monday_s) // WEEK_S
         high = (int(table.leave_s[-1]) + span - self.star.monday_s) // WEEK_S
         return bool(low != high)
-
-
-def met_between(road: Road, first: int, last: int, moments: Moments) -> Road:
-    """Return a road that is left at one point and reached at another within some moments.
-
-    Parameters
-    ----------
-    road : Road
-        Any.
-    first, last : int
-        The two points.
-    moments : (int, int, int, int)
-        When the one is left at the earliest and latest, and the other reached [s].
-
-    Returns
-    -------
-    Road
-        With more that is closed. After the second point it goes on no earlier than it is reached.
-    """
-    begin, by, after, end = moments
-    closed = [road.forbidden(hop) for hop in range(road.hops)]
-    ends = end - int(road.drive_s[last - 1])
-    for hop, more in (
-        (first, (-NO_LIMIT, begin)), (first, (by, NO_LIMIT)), (last - 1, (ends, NO_LIMIT)),
-        (last, (-NO_LIMIT, after)),
-    ):  # fmt: skip
-        if hop < road.hops:
-            own = np.concatenate([closed[hop], np.array([more], np.int64)])
-            closed[hop] = _apart(own[np.argsort(own[:, 0], kind="stable")])
-    return _road(road.drive_s, road.clock_s, road.stay_s, road.leave_s, closed)
 
 
 def _standing(stay_s: IntArray, table: Timetable) -> IntArray:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .road import LegalTrip
 from .star_times import StarTimes
 
-__all__ = ["MASTER", "Free", "MemberTiming", "Moments", "PlatoonTiming", "Real", "Timetable"]
+__all__ = ["MASTER", "MemberTiming", "PlatoonTiming", "Real", "Timetable"]
 
 Seconds = NDArray[np.int64]
 
@@ -84,15 +84,6 @@ law with pauses at real places. With a slack w it says whether it can for a span
   is so over (a + w, b). If node i is its origin it may leave w later, too.
 - w < 0: for every departure from `departure_s` to `departure_s` - w, in the same words.
 """
-
-
-Moments = tuple[int, int, int, int]
-"""When i is left at the earliest and latest, and j reached at the earliest and latest [s]."""
-
-Free = Callable[[int, int, int, Moments], bool]
-"""Says whether a member could drive by nodes i and j at all if it leaves i and reaches j within
-some moments: it may pause at i, and at every place of the master's way, for as long as it likes.
-It is asked with member, i, j and the moments."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,9 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .platoon_again import Again, joined_again
-from .platoon_record import Free, MemberTiming, PlatoonTiming, Real, Timetable
+from .platoon_record import MemberTiming, PlatoonTiming, Real, Timetable
 from .platoon_spans import SpanSearch
 from .platoon_stops import Stops
+from .platoon_tables import OwnRoads
 from .platoon_ties import simplest
 from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
 from .star_times import StarTimes
@@ -37,7 +38,7 @@ def search_platoon(
     time_limit_s: float = 10.0,
     *,
     most_spans: int = 10**9,
-    free: Free | None = None,
+    roads: OwnRoads | None = None,
     again: Again | None = None,
     in_time: Marks | None = None,
     plain: Marks | None = None,
@@ -57,8 +58,8 @@ def search_platoon(
         After which the best found is returned, with its bound [s].
     most_spans : int
         After so many spans of departures likewise; unlike time, the same on every machine.
-    free : callable, optional
-        Says whether a member could drive by two nodes whatever the stops are; it saves questions.
+    roads : OwnRoads, optional
+        Says what lies on the members' own ways; it saves questions.
     again : Again, optional
         If given, members may join again after they stopped alone, with the timetable that is found.
     in_time : ndarray of bool, (M,), optional
@@ -77,7 +78,7 @@ def search_platoon(
         Proved if nothing searched is better; else with a bound.
     """
     began = time.perf_counter()
-    searches = StarSearches(star, real, free, in_time, plain, extra_stops, lengths)
+    searches = StarSearches(star, real, roads, in_time, plain, extra_stops, lengths)
     begin, end = departures_of(star)
     needs = searches.needs(end)
     found = PlatoonTiming(np.inf, np.inf, True, None, None)
@@ -96,7 +97,7 @@ def search_platoon(
 def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) -> PlatoonTiming:
     star, some = search.star, search.numbers
     alone = float(star.alone.sum()) + star.master_alone
-    bound = min([search.best, *(entry[1] for entry in search.heap)])
+    bound = search.bound
     chosen = None
     if search.found is not None:
         stops, departure = search.found
@@ -105,7 +106,7 @@ def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) 
             pays = sum(one.cost if one.possible else some.penalty for one in chosen)
             stops, departure = simplest(search, stops, departure, pays, *departures_of(star))
             chosen = choices_of(search, stops, departure)
-    counts = (search.evaluations, len(search.asked), search.spans)
+    counts = (search.values.computed, len(search.trips.asked), search.spans)
     if search.found is None or chosen is None:
         return PlatoonTiming(
             np.inf, bound + star.master_alone - float(np.maximum(star.gain, 0).sum()),
@@ -117,7 +118,7 @@ def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) 
     if again is not None:
         chosen, complete = joined_again(some, table, chosen, again)
     cost = cost_of(star, chosen)
-    trip = search.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0)
+    trip = search.trips.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0)
     return PlatoonTiming(
         cost, cost - short, ended, table, trip, tuple(chosen), alone, complete, *counts,
         time.perf_counter() - began,

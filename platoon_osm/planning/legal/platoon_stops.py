@@ -14,8 +14,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_kernel as kernel
+from . import platoon_clocks as clocks_of
+from .platoon_next_stops import next_stops
 from .platoon_numbers import StarNumbers
+from .road import Road
 from .star_times import OPEN_S
 
 __all__ = ["Clocks", "MasterStops", "Stops"]
@@ -27,7 +29,7 @@ Stops = tuple[tuple[int, int], ...]
 Clocks = tuple[int, int, int]
 """Driven since the last break, with no part of the next taken and with the first, and today."""
 
-FAR = kernel.FAR
+FAR = clocks_of.FAR
 
 
 @dataclass(slots=True, eq=False)
@@ -54,7 +56,7 @@ class MasterStops:
     most: int
     rests: int
     lengths: tuple[int, ...] = ()
-    next_stops: Callable[..., int] = kernel.next_stops
+    next_stops: Callable[..., int] = next_stops
     places: Seconds = field(init=False)
     _lengths: Seconds = field(init=False)
     _row: Seconds = field(init=False)
@@ -66,7 +68,13 @@ class MasterStops:
         self.places = np.flatnonzero(some.stay[1:last] > 0) + 1
         self._row, self._tau = some.vehicles[some.master], some.tau
         # What the master has no use for may be what members need.
-        named = (kernel.BREAK, kernel.FIRST, kernel.SECOND, kernel.REST, kernel.SURE_REST)
+        named = (
+            clocks_of.BREAK,
+            clocks_of.FIRST,
+            clocks_of.SECOND,
+            clocks_of.REST,
+            clocks_of.SURE_REST,
+        )
         lengths = {int(self._row[one]) for one in named} | set(self.lengths)
         self._lengths = np.array(sorted(one for one in lengths if one < FAR), np.int64)
 
@@ -86,10 +94,10 @@ class MasterStops:
             Driven, with no part of a break taken and with the first, and today [s].
         """
         v = self._row
-        some = np.empty((2, 4), np.int64)
-        if not kernel.entry_states(v, 0, departure, 0, False, some):
+        some = np.empty(4, np.int64)
+        if not clocks_of.entry_state(v, 0, departure, some):
             return None
-        free, parted, today, _ = some[0].tolist()
+        free, parted, today, _ = some.tolist()
         clocks: Clocks | None = (free, parted, today)
         at = 0
         for stop in stops:
@@ -116,14 +124,14 @@ class MasterStops:
         v = self._row
         free, parted, today = clocks
         driven = min(free, parted)
-        breaks = kernel.needed(int(v[kernel.SPELL]), driven, seconds)
-        rests = kernel.needed(int(v[kernel.DAY]), today, seconds)
+        breaks = clocks_of.needed(int(v[clocks_of.SPELL]), driven, seconds)
+        rests = clocks_of.needed(int(v[clocks_of.DAY]), today, seconds)
         stops = max(breaks, rests)
-        if rests and v[kernel.REST] >= FAR:
+        if rests and v[clocks_of.REST] >= FAR:
             return stops, rests, FAR
-        stood = rests * int(v[kernel.REST]) if rests else 0
+        stood = rests * int(v[clocks_of.REST]) if rests else 0
         part = int(parted < FAR)
-        return stops, rests, stood + int(kernel.breaks_s(v, max(0, breaks - rests), part))
+        return stops, rests, stood + int(clocks_of.breaks_s(v, max(0, breaks - rests), part))
 
     def is_end(self, stops: Stops, clocks: Clocks) -> bool:
         """Whether no further stop is needed.
@@ -156,15 +164,17 @@ class MasterStops:
         bool
             Whether a search may end with them.
         """
-        rests = sum(length >= self._row[kernel.REST] for _, length in stops)
+        rests = sum(length >= self._row[clocks_of.REST] for _, length in stops)
         return len(stops) <= self.most and rests <= self.rests
 
     @property
     def plan(self) -> Seconds:
         """The most stops and rests, the longest stop without a rest and with one."""
         v = self._row
-        short = max((one for one in (int(v[kernel.BREAK]), *self.lengths) if one < FAR), default=0)
-        rest = max(int(v[kernel.SURE_REST]), int(v[kernel.REST]), *self.lengths, 0)
+        short = max(
+            (one for one in (int(v[clocks_of.BREAK]), *self.lengths) if one < FAR), default=0
+        )
+        rest = max(int(v[clocks_of.SURE_REST]), int(v[clocks_of.REST]), *self.lengths, 0)
         return np.array([self.most, self.rests, short, rest if rest < FAR else short], np.int64)
 
     def after(self, clocks: Clocks, begin: int, stop: tuple[int, int]) -> Clocks | None:
@@ -185,18 +195,18 @@ class MasterStops:
             As in `states`.
         """
         v = self._row
-        spell = int(v[kernel.SPELL])
+        spell = int(v[clocks_of.SPELL])
         free, parted, today = clocks
         position, length = stop
         step = int(self._tau[position] - self._tau[begin])
         free = free + step if free + step <= spell else FAR
         parted = parted + step if parted + step <= spell else FAR
         today += step
-        if min(free, parted) >= FAR or today > v[kernel.DAY]:
+        if min(free, parted) >= FAR or today > v[clocks_of.DAY]:
             return None
-        if length >= v[kernel.REST]:
+        if length >= v[clocks_of.REST]:
             return 0, FAR, 0
-        free, parted = kernel.paused(v, free, parted, length)
+        free, parted = clocks_of.paused(v, free, parted, length)
         return int(free), int(parted), today
 
     def budget(self, stops: Stops, departure: int) -> int:
@@ -214,7 +224,7 @@ class MasterStops:
         int
             Until it would be late [s].
         """
-        arrival = int(self._row[kernel.ARRIVAL])
+        arrival = int(self._row[clocks_of.ARRIVAL])
         if arrival >= OPEN_S:
             return FAR
         return arrival - departure - int(self._tau[-1]) - sum(length for _, length in stops)
@@ -243,10 +253,83 @@ class MasterStops:
         if left <= 0:
             return []
         v, some = self._row, self.numbers
-        rests = self.rests - sum(length >= v[kernel.REST] for _, length in stops)
+        rests = self.rests - sum(length >= v[clocks_of.REST] for _, length in stops)
         found = np.empty((len(self.places) * len(self._lengths), 5), np.int64)
         count = self.next_stops(
             v, self.places, self._tau, some.stay, self._lengths, stops[-1][0] if stops else 0,
             np.array(clocks, np.int64), left, rests, self.budget(stops, departure), found,
         )  # fmt: skip
         return [((a, b), (c, d, e)) for a, b, c, d, e in found[:count].tolist()]
+
+    def allowed(self, road: Road, stops: Stops, begin: int, end: int) -> list[tuple[int, int]]:
+        """Return departures at which no hop starts while it is closed and the master is in time.
+
+        Parameters
+        ----------
+        road : Road
+            The master's way.
+        stops : tuple of (int, int)
+            All its stops.
+        begin, end : int
+            The span of its departure [s].
+
+        Returns
+        -------
+        list of (int, int)
+            Spans in order [s].
+        """
+        stood = sum(length for _, length in stops)
+        end = min(end, int(self._row[clocks_of.ARRIVAL] - self._tau[-1] - stood))
+        if begin > end:
+            return []
+        if not len(road.forbidden_s):
+            return [(begin, end)]
+        closed, _ = self._closed(road, stops)
+        closed = closed[np.argsort(closed[:, 0], kind="stable")]
+        found, low = [], begin
+        for first, last in closed.tolist():
+            if last <= low:
+                continue
+            if first >= end:
+                break
+            if first >= low:
+                found.append((low, first))
+            low = max(low, last)
+        if low <= end:
+            found.append((low, end))
+        return found
+
+    def reach(self, road: Road, stops: Stops, begin: int, end: int) -> int:
+        """Return the last position to which the master may drive without a stop more.
+
+        A hop that is closed at all departures is the end of that.
+
+        Parameters
+        ----------
+        road : Road
+            The master's way.
+        stops : tuple of (int, int)
+            Those decided.
+        begin, end : int
+            The span of its departure [s].
+
+        Returns
+        -------
+        int
+            That of its destination if no hop is.
+        """
+        if not len(road.forbidden_s):
+            return road.hops
+        closed, hops = self._closed(road, stops)
+        shut = (closed[:, 0] < begin) & (closed[:, 1] > end)
+        shut &= hops >= (stops[-1][0] if stops else 0)
+        return int(hops[shut].min(initial=road.hops))
+
+    def _closed(self, road: Road, stops: Stops) -> tuple[Seconds, Seconds]:
+        """Return for which departures a hop is closed when it is reached, and which hop."""
+        stands = np.zeros(len(self._tau), np.int64)
+        for position, length in stops:
+            stands[position] += length
+        leave = (self._tau + np.cumsum(stands))[:-1]
+        hops = np.repeat(np.arange(road.hops), np.diff(road.forbidden_first))
+        return road.forbidden_s - leave[hops][:, None], hops

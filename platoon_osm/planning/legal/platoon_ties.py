@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from . import platoon_kernel as kernel
+from . import platoon_clocks as clocks_of
 from .platoon_spans import SpanSearch
 from .platoon_stops import Stops
 
@@ -58,7 +58,7 @@ def simplest(
 
 def _plainer(search: SpanSearch, stops: Stops) -> Iterator[Stops]:
     row = search.numbers.vehicles[search.numbers.master]
-    whole = int(row[kernel.BREAK])
+    whole = int(row[clocks_of.BREAK])
     for k in range(len(stops)):
         yield stops[:k] + stops[k + 1 :]
     for k in range(len(stops) - 1):
@@ -71,7 +71,7 @@ def _plainer(search: SpanSearch, stops: Stops) -> Iterator[Stops]:
 def _first(search: SpanSearch, stops: Stops, cost: float, begin: int, end: int) -> int | None:
     """Return the first departure at which some stops cost no more; None if none is found."""
     most = cost + search.tolerance
-    spans = search.allowed(stops, begin, end)
+    spans = search.stops.allowed(search.star.road, stops, begin, end)
     left = [search.start(stops, None, *span) for span in reversed(spans)]
     for _ in range(MOST_SPANS):
         if not left:

@@ -12,12 +12,16 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_kernel as kernel
+from . import platoon_clocks as clocks_of
+from .platoon_asked import AskedTrips
 from .platoon_compiled import kernels_for
 from .platoon_numbers import numbers_of_star
-from .platoon_record import Free, Real
+from .platoon_pairs import pairs_of_star
+from .platoon_record import Real
 from .platoon_spans import SpanSearch
 from .platoon_stops import MasterStops
+from .platoon_tables import OwnRoads, OwnTables
+from .platoon_values import StarValues
 from .star_times import OPEN_S, StarTimes
 
 __all__ = ["MOST_RESTS_MORE", "StarSearches", "departures_of"]
@@ -44,8 +48,8 @@ class StarSearches:
         The master and its members.
     real : callable or None
         Says how a vehicle really drives; None if it may pause anywhere on its own ways.
-    free : callable or None
-        Says whether a member could drive by two nodes whatever the stops are.
+    roads : OwnRoads or None
+        Says what lies on the members' own ways.
     in_time : ndarray of bool, (M,), or None
         Which members may go alone: in time and within the law; by default those whose cost alone is
         finite.
@@ -59,7 +63,7 @@ class StarSearches:
 
     star: StarTimes
     real: Real | None
-    free: Free | None = None
+    roads: OwnRoads | None = None
     in_time: Marks | None = None
     plain: Marks | None = None
     extra_stops: int = 1
@@ -89,7 +93,7 @@ class StarSearches:
             The later it leaves, the fewer.
         """
         probe = self._probe
-        clocks = probe.states((), departure_s) or (0, kernel.FAR, 0)
+        clocks = probe.states((), departure_s) or (0, clocks_of.FAR, 0)
         return probe.left(clocks, int(probe.numbers.tau[-1]))[:2]
 
     def search(self, needs: tuple[int, int], more: int = 0) -> SpanSearch | None:
@@ -108,22 +112,26 @@ class StarSearches:
             Without any limit of time; None if more rests are allowed than these rules know.
         """
         star, probe = self.star, self._probe
-        if more and probe.numbers.vehicles[probe.numbers.master, kernel.REST] >= kernel.FAR:
+        if more and probe.numbers.vehicles[probe.numbers.master, clocks_of.REST] >= clocks_of.FAR:
             return None
         stops, rests = needs
         rests += more
         numbers = numbers_of_star(star, *self._marks, rests + 1)
         total = float(np.abs(star.alone[np.isfinite(star.alone)]).sum()) + 1.0
-        evaluate, next_stops = kernels_for(len(star.alone) * len(numbers.pos))
+        kernels = kernels_for(len(star.alone) * len(numbers.pos))
         most = max(stops, rests) + self.extra_stops
         lengths, limits = self.lengths, star.rules.limits
         if limits.change_s > 0 and np.isfinite(limits.spell_s):
             # Two drivers change seats in less than the break that both may need.
             lengths = (*lengths, math.ceil(limits.beside_s))
-        stopping = MasterStops(numbers, most, rests, lengths, next_stops)
-        return SpanSearch(
-            star, numbers, stopping, self.real, np.inf, evaluate, SAME * total, self.free
-        )
+        stopping = MasterStops(numbers, most, rests, lengths, kernels.next_stops)
+        tables = OwnTables(
+            numbers, None if self.real is None else self.roads, kernels.plain_ways,
+            kernels.entries_by_places, kernels.exits_by_places,
+        )  # fmt: skip
+        values = StarValues(numbers, pairs_of_star(numbers), tables, stopping, kernels.evaluate)
+        trips = AskedTrips(star, numbers, self.real)
+        return SpanSearch(star, numbers, values, trips, stopping, np.inf, SAME * total)
 
 
 def departures_of(star: StarTimes) -> tuple[int, int]:

@@ -250,7 +250,7 @@ def _timed_star(
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
     timing = search_platoon(
-        own.times, ways.real, LIMIT_S, most_spans=most_spans, free=ways.free, plain=open_roads,
+        own.times, ways.real, LIMIT_S, most_spans=most_spans, roads=ways, plain=open_roads,
         again=_again(legal, ways) if case_of(legal.question) == "C" else None,
     )  # fmt: skip
     together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [

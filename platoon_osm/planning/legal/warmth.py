@@ -10,9 +10,10 @@ from ...driving.eu561 import EU561
 from ...driving.state import RESTED
 from .kernel import LABELS
 from .one_driver import fastest
-from .platoon_compiled import EVALUATE, NEXT_STOPS
+from .platoon_compiled import KERNELS
+from .platoon_real import RoadTrips
 from .platoon_search import search_platoon
-from .road import NO_LIMIT, road_of
+from .road import NO_LIMIT, Road, road_of
 from .star_times import Span, StarTimes, VehicleRules
 
 __all__ = ["warm_up"]
@@ -27,7 +28,7 @@ def warm_up() -> float:
         Seconds that took.
     """
     begin = time.perf_counter()
-    for kernel in (LABELS, EVALUATE, NEXT_STOPS):
+    for kernel in (LABELS, *KERNELS):
         kernel.now()
     road = road_of([3600] * 3, [NO_LIMIT] * 4)
     fastest(road, EU561, RESTED, 0, 0)
@@ -53,5 +54,14 @@ def warm_up() -> float:
         master_alone=float(cost[-1]),
         gain=np.full(3, 360.0),
     )
-    search_platoon(star, None, 1.0)
+    ways = RoadTrips(star, lambda _, node: _first(road, node), lambda _, node: _last(road, node))
+    search_platoon(star, ways, 1.0, roads=ways)
     return time.perf_counter() - begin
+
+
+def _first(road: Road, hops: int) -> Road:
+    return road_of(road.drive_s[:hops], road.stay_s[: hops + 1])
+
+
+def _last(road: Road, begin: int) -> Road:
+    return road_of(road.drive_s[begin:], road.stay_s[begin:])

@@ -8,7 +8,7 @@ import pytest
 from small_law import NO_PARTS, all_stops, drawn
 from test_platoon_search import KINDS, cheapest
 
-from platoon_osm.planning.legal import departure_steps, platoon_spans
+from platoon_osm.planning.legal import departure_steps, platoon_kernel, platoon_spans
 from platoon_osm.planning.legal.departure_steps import steps_of_departure
 from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
 from platoon_osm.planning.legal.star_searches import StarSearches, departures_of
@@ -18,9 +18,9 @@ FREELY = 10**9
 
 @pytest.fixture(autouse=True)
 def short_spans(monkeypatch):
-    """Let spans of a few seconds be split, too, and pairs be ruled out at once."""
+    """Let spans of a few seconds be split, too, and be cut into few cells."""
     monkeypatch.setattr(platoon_spans, "SPLIT_S", 3)
-    monkeypatch.setattr(platoon_spans, "ASKED_AT", range(1, 99))
+    monkeypatch.setattr(platoon_kernel, "CELLS", 3)
 
 
 def by_departure(one, rests=0):
@@ -43,7 +43,7 @@ def by_departure(one, rests=0):
 
 def told(one, in_time, most_spans=FREELY):
     """Return what members pay at each departure as the steps tell it, and the steps."""
-    searches = StarSearches(one.star, one.real, one.free, in_time, extra_stops=6)
+    searches = StarSearches(one.star, one.real, one, in_time, extra_stops=6)
     found = steps_of_departure(searches, most_spans, 60)
     pays = {
         at: (sum(member.cost for member in step.members), step.open_cost)
@@ -78,7 +78,7 @@ def test_departures_that_need_other_stops_are_searched_apart(seed, kind):
     """Who leaves later has rested longer, and then fewer stops and rests are allowed."""
     one = drawn(seed, wide=kind == "wide")
     in_time = np.array([one.goes_alone(k) for k in range(len(one.star.alone))])
-    searches = StarSearches(one.star, one.real, one.free, in_time, extra_stops=6)
+    searches = StarSearches(one.star, one.real, one, in_time, extra_stops=6)
     first, last = departures_of(one.star)
     needs = {at: searches.needs(at) for at in range(first, last + 1)}
     assert len(set(needs.values())) > 1
@@ -98,7 +98,7 @@ def test_no_departure_has_stops_that_only_another_may_have(seed, wide):
     """Without a stop to spare those who leave early may make one more than those who leave late."""
     one = drawn(seed, wide=True) if wide else drawn(seed, limits=NO_PARTS)
     in_time = np.array([one.goes_alone(k) for k in range(len(one.star.alone))])
-    searches = StarSearches(one.star, one.real, one.free, in_time, extra_stops=0)
+    searches = StarSearches(one.star, one.real, one, in_time, extra_stops=0)
     found = steps_of_departure(searches, FREELY, 60)
     pays = {
         at: sum(member.cost for member in step.members)

@@ -10,24 +10,30 @@ from small_law import NO_PARTS, all_stops, drawn
 
 from platoon_osm.driving.state import RESTED
 from platoon_osm.driving.us395 import US395
-from platoon_osm.planning.legal import platoon_spans
+from platoon_osm.planning.legal import platoon_kernel, platoon_spans
 from platoon_osm.planning.legal.platoon_again import Again, joined_again
+from platoon_osm.planning.legal.platoon_asked import AskedTrips
 from platoon_osm.planning.legal.platoon_kernel import evaluate
 from platoon_osm.planning.legal.platoon_numbers import numbers_of_star
+from platoon_osm.planning.legal.platoon_own_places import entries_by_places, exits_by_places
+from platoon_osm.planning.legal.platoon_own_ways import plain_ways
+from platoon_osm.planning.legal.platoon_pairs import pairs_of_star
 from platoon_osm.planning.legal.platoon_real import RoadTrips
 from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
 from platoon_osm.planning.legal.platoon_search import choices_of, search_platoon
 from platoon_osm.planning.legal.platoon_spans import SpanSearch
 from platoon_osm.planning.legal.platoon_stops import MasterStops
+from platoon_osm.planning.legal.platoon_tables import OwnTables
+from platoon_osm.planning.legal.platoon_values import StarValues
 from platoon_osm.planning.legal.road import NO_LIMIT, road_of
 from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, VehicleRules
 
 
 @pytest.fixture(autouse=True)
 def short_spans(monkeypatch):
-    """Let spans of a few seconds be split, too, and pairs be ruled out at once."""
+    """Let spans of a few seconds be split, too, and be cut into few cells."""
     monkeypatch.setattr(platoon_spans, "SPLIT_S", 3)
-    monkeypatch.setattr(platoon_spans, "ASKED_AT", range(1, 99))
+    monkeypatch.setattr(platoon_kernel, "CELLS", 3)
 
 
 def pairs_of(star, member):
@@ -87,7 +93,7 @@ def test_nothing_is_cheaper_than_what_is_found(kind, seed):
     rests = int(kind == "a night on the way")
     best, alone = everything(one, rests)
     found = search_platoon(
-        one.star, one.real, 60, free=one.free, in_time=np.isfinite(alone), extra_stops=6
+        one.star, one.real, 60, roads=one, in_time=np.isfinite(alone), extra_stops=6
     )
     assert found.proved
     if math.isinf(best) and not rests:
@@ -115,14 +121,14 @@ def test_every_node_is_bounded_by_what_its_departures_cost(seed):
     one = drawn(2000 + seed, relief=0.5 * (seed % 3))
     star = one.star
     alone = [star.alone[k] if one.goes_alone(k) else math.inf for k in range(len(star.alone))]
-    search = a_search(one, np.isfinite(alone))
+    search = a_search(one, np.isfinite(alone), looked=bool(seed % 2))
     rows = np.arange(len(star.alone))
     first, last = star.window.earliest_s, star.window.latest_s
     known = {}
     for stops in itertools.islice(all_stops(star, 0), 0, None, 9):
-        span = stops, None, last, first
-        least, _, _ = search.values(rows, [span], False)
-        certain, _, _ = search.values(rows, [(stops, None, first, last)], True)
+        span = stops, None, first, last
+        least = search.values.of(rows, [span]).cost
+        certain = certain_costs(search, rows, span)
         for departure in range(first, last + 1):
             table = Timetable.of(star, departure, stops)
             for member in rows.tolist():
@@ -136,7 +142,7 @@ def test_open_stops_are_bounded_by_whatever_they_may_be(seed):
     one = drawn(3000 + seed)
     star = one.star
     alone = [star.alone[k] if one.goes_alone(k) else math.inf for k in range(len(star.alone))]
-    search = a_search(one, np.isfinite(alone))
+    search = a_search(one, np.isfinite(alone), looked=bool(seed % 2))
     rows = np.arange(len(star.alone))
     first, last = star.window.earliest_s, star.window.latest_s
     known = {}
@@ -148,17 +154,69 @@ def test_open_stops_are_bounded_by_whatever_they_may_be(seed):
             for count in range(len(stops)):
                 clocks = search.stops.states(stops[:count], last)
                 assert clocks is not None
-                least, _, _ = search.values(rows, [(stops[:count], clocks, last, first)], False)
+                least = search.values.of(rows, [(stops[:count], clocks, first, last)]).cost
                 for member in rows.tolist():
                     cost = min(cheapest(one, table, alone, member, known), search.numbers.penalty)
                     assert least[0, member] <= cost + 1e-9
 
 
-def a_search(one, in_time):
-    """Return a search that has not begun."""
+@pytest.mark.parametrize("seed", range(8))
+def test_only_departures_that_cost_too_much_are_dropped(seed):
+    """With all stops decided: the bound holds for those kept, and those dropped cost as much."""
+    one = drawn(8000 + seed)
+    star = one.star
+    alone = [star.alone[k] if one.goes_alone(k) else math.inf for k in range(len(star.alone))]
+    search = a_search(one, np.isfinite(alone))
+    rows, penalty = np.arange(len(star.alone)), search.numbers.penalty
+    first, last = star.window.earliest_s, star.window.latest_s
+    known, dropped = {}, 0
+    for stops in itertools.islice(all_stops(star, 0), 0, None, 11):
+        pays = []
+        for departure in range(first, last + 1):
+            table = Timetable.of(star, departure, stops)
+            members = (cheapest(one, table, alone, k, known) for k in rows.tolist())
+            pays.append(sum(min(cost, penalty) for cost in members))
+        for most in sorted(set(pays)):
+            got = search.values.of(rows, [(stops, None, first, last)], most=most)
+            begin, end = int(got.begin[0]), int(got.end[0])
+            if math.isinf(got.bound[0]):
+                begin, end = last + 1, last
+            kept = pays[begin - first : end - first + 1]
+            assert got.bound[0] <= min(kept, default=math.inf) + 1e-9
+            out = pays[: begin - first] + pays[end - first + 1 :]
+            assert all(cost >= most - 1e-9 for cost in out)
+            dropped += len(out)
+    assert dropped > 0
+
+
+def a_search(one, in_time, looked=True):
+    """Return a search that has not begun, with all own ways looked at or none."""
     numbers = numbers_of_star(one.star, in_time, np.ones(len(in_time), bool), 1)
     stops = MasterStops(numbers, 6, 0)
-    return SpanSearch(one.star, numbers, stops, one.real, math.inf, evaluate, 1e-9)
+    tables = OwnTables(numbers, one, plain_ways, entries_by_places, exits_by_places)
+    pairs = pairs_of_star(numbers)
+    for m in range(len(in_time) if looked else 0):
+        own = slice(pairs.first[m], pairs.first[m + 1])
+        rows = np.full(own.stop - own.start, m)
+        tables.look(rows, pairs.merge[own], pairs.separate[own])
+    values = StarValues(numbers, pairs, tables, stops, evaluate)
+    trips = AskedTrips(one.star, numbers, one.real)
+    return SpanSearch(one.star, numbers, values, trips, stops, math.inf, 1e-9)
+
+
+def certain_costs(search, rows, span):
+    """Return the cost of the first pair of each that can be driven throughout a span."""
+    found = np.full((1, len(rows)), math.inf)
+    for row in rows.tolist():
+        first = search.values.pairs.first
+        for rank in range(first[row + 1] - first[row] + 1):
+            got = search.values.of(
+                np.array([row]), [span], sure=True, throughout=True, rank=np.array([rank])
+            )
+            if got.cost[0, 0] < math.inf:
+                found[0, row] = got.cost[0, 0]
+                break
+    return found
 
 
 def test_when_the_time_is_over_the_bound_holds():
@@ -263,7 +321,7 @@ def test_who_stops_alone_joins_again_where_that_is_cheaper():
         alone = np.array([one.goes_alone(k) for k in range(3)])
         search = a_search(one, alone)
         search.stops = MasterStops(search.numbers, 9, 0)
-        search.plan = search.stops.plan
+        search.values.stops, search.values.plan = search.stops, search.stops.plan
         legal = [
             (stops, departure)
             for stops in all_stops(star, 0)

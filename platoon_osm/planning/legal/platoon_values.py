@@ -1,0 +1,188 @@
+"""What vehicles of one star pay at least, or for certain: the arrays for `platoon_kernel.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .platoon_numbers import StarNumbers
+from .platoon_pairs import MemberPairs
+from .platoon_stops import Clocks, MasterStops, Stops
+from .platoon_tables import OwnTables
+
+__all__ = ["StarValues", "Table", "Values"]
+
+Floats = NDArray[np.float64]
+Seconds = NDArray[np.int64]
+
+Table = tuple[Stops, Clocks | None, int, int]
+"""Stops, the clocks after them if others may follow, and the span of the departure."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Values:
+    """What some vehicles pay with some timetables.
+
+    Attributes
+    ----------
+    cost : ndarray of float, (C, R)
+        Each of them.
+    rank : ndarray of int, (C, R)
+        Where in its list each is.
+    bound : ndarray of float, (C,)
+        All together at least.
+    begin, end : ndarray of int, (C,)
+        What is of interest of the span [s].
+    """
+
+    cost: Floats
+    rank: Seconds
+    bound: Floats
+    begin: Seconds
+    end: Seconds
+
+
+@dataclass(slots=True, eq=False)
+class StarValues:
+    """The values of one star.
+
+    Attributes
+    ----------
+    numbers : StarNumbers
+        The star.
+    pairs : MemberPairs
+        Where members may merge and separate, the cheapest first.
+    tables : OwnTables
+        What members' own ways allow.
+    stops : MasterStops
+        Where the master may stop.
+    evaluate : callable
+        The kernel.
+    computed : int
+        Values computed.
+    plan : ndarray of int, (4,)
+        As `MasterStops.plan`.
+    """
+
+    numbers: StarNumbers
+    pairs: MemberPairs
+    tables: OwnTables
+    stops: MasterStops
+    evaluate: Any
+    computed: int = 0
+    plan: Seconds = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.plan = self.stops.plan
+
+    def of(
+        self, rows: Seconds, tables: Sequence[Table], *, sure: bool = False,
+        throughout: bool = False, rank: Seconds | None = None, floor: Floats | None = None,
+        most: float = np.inf,
+    ) -> Values:  # fmt: skip
+        """Return what vehicles pay with some timetables, and the places of their pairs.
+
+        Parameters
+        ----------
+        rows : ndarray of int, (R,)
+            Which vehicles, as `StarNumbers` numbers them.
+        tables : sequence of Table, (C,)
+            The timetables.
+        sure : bool
+            Whether entries, exits and limits are the strict ones.
+        throughout : bool
+            Whether pairs have to be drivable at all departures of a span; else at some.
+        rank : ndarray of int, (R,) or (C, R), optional
+            Where in its list each is to go on.
+        floor : ndarray of float, (R,), optional
+            What each pays at least, as far as is known.
+        most : float
+            A timetable is of no interest if all together pay as much.
+
+        Returns
+        -------
+        Values
+            Of each timetable and vehicle.
+        """
+        some, pairs, size = self.numbers, self.pairs, (len(tables), len(rows))
+        room = max(1, max(len(table[0]) for table in tables))
+        made = np.zeros((len(tables), room, 2), np.int64)
+        for k, table in enumerate(tables):
+            if table[0]:
+                made[k, : len(table[0])] = table[0]
+        rest = np.array(
+            [(len(one[0]), *(one[1] or (-1, 0, 0)), one[2], one[3]) for one in tables], np.int64
+        )
+        own = np.zeros(len(rows), np.int64) if rank is None or not len(rows) else rank
+        found = Values(
+            np.empty(size), np.empty(size, np.int64), np.empty(len(tables)), rest[:, 4].copy(),
+            rest[:, 5].copy(),
+        )  # fmt: skip
+        self.evaluate(
+            rows, own[None] if own.ndim == 1 else own, some.vehicles, some.approach, some.onward,
+            *self.tables.of(sure), pairs.first, pairs.merge, pairs.separate, pairs.cost,
+            some.alone, some.pos, some.tau, some.clocks, some.clock_of, self.stops.places,
+            self.plan, np.ascontiguousarray(made[:, :, 0]), np.ascontiguousarray(made[:, :, 1]),
+            np.ascontiguousarray(rest[:, 0]), np.ascontiguousarray(rest[:, 1:4]), sure, throughout,
+            np.zeros(len(rows)) if floor is None else floor, most, found.begin, found.end,
+            found.bound, found.cost, found.rank,
+        )  # fmt: skip
+        self.computed += len(rows) * len(tables)
+        return found
+
+    def points(self, rows: Seconds, rank: Seconds) -> tuple[Seconds, Seconds]:
+        """Return where vehicles merge and separate.
+
+        Parameters
+        ----------
+        rows : ndarray of int, (R,)
+            Which vehicles.
+        rank : ndarray of int, (R,)
+            Where in its list each is.
+
+        Returns
+        -------
+        merge, separate : ndarray of int, (R,)
+            Points; -1 for who stays alone.
+        """
+        first = self.pairs.first
+        at = first[rows] + rank
+        met = at < first[rows + 1]
+        at = np.minimum(at, first[-1] - 1)
+        return np.where(met, self.pairs.merge[at], -1), np.where(met, self.pairs.separate[at], -1)
+
+    def ends(self, rows: Seconds) -> Seconds:
+        """Return how long the lists of pairs are.
+
+        Parameters
+        ----------
+        rows : ndarray of int, (R,)
+            Of which vehicles.
+
+        Returns
+        -------
+        ndarray of int, (R,)
+            Who is there in its list stays alone.
+        """
+        return self.pairs.first[rows + 1] - self.pairs.first[rows]
+
+    def look(self, rows: Seconds, rank: Seconds) -> bool:
+        """Look at the own ways of some vehicles by which they would pay least.
+
+        Parameters
+        ----------
+        rows : ndarray of int, (R,)
+            Which vehicles.
+        rank : ndarray of int, (R,)
+            Where in its list each is.
+
+        Returns
+        -------
+        bool
+            Whether any was not looked at before.
+        """
+        return self.tables.look(rows, *self.points(rows, rank))
