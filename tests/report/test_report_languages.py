@@ -16,7 +16,7 @@ from platoon_osm.report.language.languages import languages
 
 Visit = Callable[..., Any]
 
-SAME_IN = {"de": {"Plan"}, "it": {"In platoon"}}
+SAME_IN = {"de": {"Plan", "optimal"}, "it": {"In platoon"}}
 """Whole texts of a language that are spelt as the English ones are."""
 
 KINDS = (

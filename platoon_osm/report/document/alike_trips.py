@@ -7,16 +7,17 @@ windows differ is said. Costs of other trips say nothing of each other.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ...plans.plan import Plan
 from ...plans.records import Stop
 from ..language.speech import say
 from .model import Document
+from .side_sums import SideSums, side_sums
 from .wording import joined
 
-__all__ = ["AlikePlans", "Difference", "alike", "alike_plans", "rests_s", "under_way_s"]
+__all__ = ["AlikePlans", "Difference", "alike", "alike_plans"]
 
 SAME_DEGREES = 5
 """Decimals to which places agree: about a metre."""
@@ -38,8 +39,8 @@ class Difference:
         Of all vehicles.
     waiting_s, under_way_s : float or None
         On the road, and from door to door; None if one of the two has no times.
-    rests_s : float or None
-        Of breaks and rests; None if one of the two has no driving rules.
+    breaks_s, rests_s : float or None
+        Of breaks, and of rests; None if one of the two has no driving rules.
     """
 
     cost: float | None
@@ -47,8 +48,9 @@ class Difference:
     length_m: float
     fuel_l: float
     waiting_s: float | None
-    under_way_s: float | None = None
-    rests_s: float | None = None
+    under_way_s: float | None
+    breaks_s: float | None
+    rests_s: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +65,11 @@ class AlikePlans:
         Position in the comparison of that which the others are set against.
     differences : tuple of Difference or None
         Of each plan; None for that one itself.
+    sums : tuple of SideSums or None
+        The day of each plan; None without times.
+    gaps : tuple of float or None
+        By what share each may cost more than the best, under the conditions of its proof; 0 where
+        that is proved to be none, None where nothing is proved.
     remarks : tuple of str
         What a reader should know before comparing.
     """
@@ -70,6 +77,8 @@ class AlikePlans:
     plans: tuple[int, ...]
     baseline: int
     differences: tuple[Difference | None, ...]
+    sums: tuple[SideSums | None, ...]
+    gaps: tuple[float | None, ...]
     remarks: tuple[str, ...]
 
 
@@ -139,15 +148,20 @@ def alike_plans(
     """
     base = baseline if baseline in places else places[0]
     counted_alike = {place: _costs_of(plans[place]) == _costs_of(plans[base]) for place in places}
+    sums = {place: side_sums(plans[place], documents[place].law) for place in places}
     return AlikePlans(
         plans=places,
         baseline=base,
         differences=tuple(
             None
             if place == base
-            else _difference(documents[place], documents[base], counted_alike[place])
+            else _difference(
+                documents[place], documents[base], counted_alike[place], sums[place], sums[base]
+            )
             for place in places
         ),
+        sums=tuple(sums.values()),
+        gaps=tuple(plans[place].proof.gap for place in places),
         remarks=tuple(_remarks(places, base, plans, documents)),
     )
 
@@ -156,61 +170,31 @@ def _costs_of(plan: Plan) -> object:
     return plan.unit, tuple(sorted((key, repr(value)) for key, value in plan.params.items()))
 
 
-def _difference(own: Document, base: Document, counted_alike: bool) -> Difference:
+def _difference(
+    own: Document,
+    base: Document,
+    counted_alike: bool,
+    day: SideSums | None,
+    base_day: SideSums | None,
+) -> Difference:
+    under_way = breaks = rests = waiting = None
+    if own.schedule is not None and base.schedule is not None:
+        waiting = own.schedule.waiting_s - base.schedule.waiting_s
+    if day is not None and base_day is not None:
+        under_way = day.under_way_s - base_day.under_way_s
+        if day.law and base_day.law:
+            breaks, rests = day.breaks_s - base_day.breaks_s, day.rests_s - base_day.rests_s
     return Difference(
         cost=own.totals.joint_cost - base.totals.joint_cost if counted_alike else None,
         saving=own.totals.saving - base.totals.saving,
         length_m=sum(one.length_m for one in own.vehicles)
         - sum(one.length_m for one in base.vehicles),
         fuel_l=sum(one.fuel_l for one in own.vehicles) - sum(one.fuel_l for one in base.vehicles),
-        waiting_s=_less(own, base, _waiting_s),
-        under_way_s=_less(own, base, under_way_s),
-        rests_s=_less(own, base, rests_s),
+        waiting_s=waiting,
+        under_way_s=under_way,
+        breaks_s=breaks,
+        rests_s=rests,
     )
-
-
-def _less(own: Document, base: Document, of: Callable[[Document], float | None]) -> float | None:
-    mine, theirs = of(own), of(base)
-    return None if mine is None or theirs is None else mine - theirs
-
-
-def _waiting_s(plan: Document) -> float | None:
-    return None if plan.schedule is None else plan.schedule.waiting_s
-
-
-def under_way_s(plan: Document) -> float | None:
-    """Return how long all vehicles are under way, from door to door.
-
-    Parameters
-    ----------
-    plan : Document
-        Of a plan.
-
-    Returns
-    -------
-    float or None
-        Seconds; None without times.
-    """
-    days = [one.times for one in plan.vehicles if one.times is not None]
-    return sum(day.arrival_s - day.departure_s for day in days) if days else None
-
-
-def rests_s(plan: Document) -> float | None:
-    """Return how long all vehicles stand for breaks and rests.
-
-    Parameters
-    ----------
-    plan : Document
-        Of a plan.
-
-    Returns
-    -------
-    float or None
-        Seconds; None without driving rules.
-    """
-    if plan.law is None:
-        return None
-    return sum(clocks.breaks_s + clocks.rests_s for clocks in plan.law.vehicles)
 
 
 def _remarks(

@@ -22,7 +22,7 @@ from ..maps.static_map import small_maps
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import gain_or_loss, percent, true_minus
 from ..markup.still_page import PAGE_STYLES, still_page
-from .comparison_table import sums_table
+from .comparison_table import day_table, sums_table
 from .cost_table import cost_table
 from .page_pieces import badge, figures, items, late_mark, status_lines, unit_note
 
@@ -111,6 +111,7 @@ def _page(comparison: Comparison) -> str:
                             Piece("about-row", {"label": label, "text": text})
                             for label, text in plan.provenance.rows
                         ),
+                        "proof": plan.provenance.proof,
                     },
                 )
                 for plan in plans
@@ -161,6 +162,7 @@ def _set(found: AlikePlans, plans: tuple[Document, ...], rank: int) -> Piece:
                 "comparison-compared",
                 {
                     "sums": sums_table(found, plans, key),
+                    "day": day_table(found, plans, key),
                     "notes": items([*found.remarks, *([unit.note] if unit.note else [])]),
                     "bars": _bars(shown, key),
                     "by_vehicle": _by_vehicle(shown, key),
@@ -269,10 +271,11 @@ def _by_vehicle(plans: Sequence[Document], key: str) -> Tree:
     """Return what each vehicle saves under each plan; nothing for a crowd."""
     if len(plans[0].vehicles) > MOST_BY_VEHICLE:
         return NOTHING
+    titles = _what_differs([plan.title for plan in plans])
     rows = []
     for vehicle in plans[0].vehicles:
         cells = []
-        for plan in plans:
+        for plan, title in zip(plans, titles, strict=True):
             own = next(one for one in plan.vehicles if one.letter == vehicle.letter)
             cells.append(
                 Piece(
@@ -284,6 +287,7 @@ def _by_vehicle(plans: Sequence[Document], key: str) -> Tree:
                         "saved": own.text.saved,
                         "share": own.text.share,
                         "late": late_mark(own),
+                        "label": title,
                     },
                 )
             )
@@ -299,7 +303,6 @@ def _by_vehicle(plans: Sequence[Document], key: str) -> Tree:
                 },
             )
         )
-    titles = _what_differs([plan.title for plan in plans])
     heads = tuple(Piece("comparison-head", {"title": title}) for title in titles)
     unit = plans[0].cost_unit.label
     return Piece(
