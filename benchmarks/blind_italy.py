@@ -75,7 +75,7 @@ def main(draws: int = DRAWS) -> None:
 
             def best(star: StarTimes, real: bool = True, ways: MemberWays = ways) -> PlatoonTiming:
                 return search_platoon(
-                    star, ways.real if real else None, 60.0, most_spans=SPANS, roads=ways
+                    star, ways.trips if real else None, 60.0, most_spans=SPANS, roads=ways.trips
                 )
 
             exact = best(own.times)

@@ -26,12 +26,13 @@ NO_PARTS = Limits(
 
 @dataclass(frozen=True)
 class Way:
-    """Hops, how long one may stand at their ends, and when these have to be left."""
+    """Hops, how long one may stand at their ends, when these have to be left, what is closed."""
 
     drive: tuple
     clock: tuple
     stay: tuple
     leave: tuple
+    closed: tuple = ()
 
 
 def drivable(way, rules, window, slack=0):
@@ -78,6 +79,9 @@ def drivable(way, rules, window, slack=0):
             else:
                 last = min(late - left[k], window.latest_s if k == 0 else late)
                 moments = range(time, last + 1) if k == 0 or way.stay[k] else [time]
+            if way.closed:
+                shut = way.closed[k]
+                moments = [one for one in moments if not any(a < one < b for a, b in shut)]
             for leaves in moments:
                 counts = NO_LIMIT if k == 0 else way.stay[k]
                 for gone in paused(now, leaves, counts):
@@ -263,6 +267,7 @@ def drawn(seed, *, members=2, everywhere=False, limits=SMALL, relief=0.0, night=
         entry=entry, leave=leave, platoon=np.array([platoon] * members), length_m=tau * 20.0,
         alone=alone_s * 1.0, alone_s=alone_s, windows=tuple(windows), member_rules=tuple(rules),
         relief=relief, master_alone=float(total), gain=np.zeros(nodes - 1),
+        monday_s=-300_000,
     )  # fmt: skip
     ways = [
         [

@@ -1,33 +1,43 @@
 """How a vehicle really drives with a platoon: the fastest legal trip on its joint way.
 
 The joint way of a member is its approach to node i, the master's way from there to node j with the
-master's moments of leaving as appointments, and its way onward. Between i and j it stands only
-where the platoon does; at i and j, and on its own ways, it may pause where there are places.
+master's moments of leaving as appointments, and its way onward; a member that joins again drives
+alone along the master's route between two such stretches. With the platoon it stands only where
+that does; at i and j, and on its own ways, it may pause where there are places.
+
+What is asked for a span of departures is answered by one trip whose limits are longer or shorter by
+the span. All that moves with the departure lies between leaving i and the arrival. So driving of a
+week, and the days in it, are the same for the whole span unless a Monday lies between these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ...driving.limits import Limits
 from .one_driver import fastest
 from .platoon_record import MASTER, Timetable
-from .road import FREE, IntArray, LegalTrip, Road
-from .star_times import OPEN_S, StarTimes, VehicleRules
+from .road import FREE, IntArray, LegalTrip, Road, joined_roads
+from .star_times import OPEN_S, StarTimes
 
-__all__ = ["RoadTrips"]
+__all__ = ["RoadTrips", "Together"]
+
+Together = tuple[int, int]
+"""From which node of the master's route to which a member drives with it."""
 
 WEEK_S = 7 * 24 * 3600
 
-BEFORE_S = 48 * 3600
-"""A member without any window leaves no earlier than its driving time and this before it meets."""
+BEFORE_S = 3 * 86_400
+"""A member that names no earliest departure leaves no earlier than this, and thrice the driving
+time of its approach, before it merges [s]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RoadTrips:
-    """Answers `Real` questions by the fastest legal trip.
+    """Answers `Real` questions by the fastest legal trip, and tells the own ways of members.
 
     Attributes
     ----------
@@ -36,91 +46,108 @@ class RoadTrips:
     approach, onward : callable
         From a member and a node of the master's route to the way of the one to the other, or back.
         Its driving time is that in `star`.
+    between : callable, optional
+        From a member and two nodes of the master's route to the route as it drives it alone; by
+        default as the master does.
     """
 
     star: StarTimes
     approach: Callable[[int, int], Road]
     onward: Callable[[int, int], Road]
+    between: Callable[[int, int, int], Road] | None = None
 
     def __call__(self, member: int, i: int, j: int, table: Timetable) -> LegalTrip | None:
         """Return the fastest legal trip; None if there is none."""
-        star = self.star
-        rules = star.rules if member == MASTER else star.member_rules[member]
-        window = star.window if member == MASTER else star.windows[member]
-        slack = table.slack_s
-        road = self.joint(member, i, j, table)
-        limits = rules.limits
-        if slack:
-            limits = replace(
-                limits,
-                window_s=max(0.0, limits.window_s + slack),
-                long_window_s=max(0.0, limits.long_window_s + slack),
-                weekly_after_s=max(0.0, limits.weekly_after_s + slack),
-            )
-            if self._weeks_matter(rules, road, table):
-                if slack < 0:
-                    return None
-                limits = replace(
-                    limits, week_s=np.inf, fortnight_s=np.inf, long_days=limits.long_days + 7
-                )
-        earliest = None if window.earliest_s <= -OPEN_S else window.earliest_s
-        at_once = bool(road.leave_s[0] != FREE)
-        latest = None
-        if window.latest_s < OPEN_S:
-            latest = window.latest_s + (slack if at_once and member != MASTER else 0)
-        arrival = None
-        if window.arrival_s < OPEN_S:
-            arrival = window.arrival_s + (slack if member != MASTER else max(slack, 0))
-        if earliest is None and arrival is None:
-            first = table.departure_s if member == MASTER else int(table.leave_s[self._low(i)])
-            earliest = first - int(road.drive_s.sum()) - BEFORE_S
-        return fastest(
-            road, limits, rules.state, rules.state_at_s, earliest, latest, arrival, star.monday_s
-        )
+        return self.master(table) if member == MASTER else self.trip(member, [(i, j)], table)
 
-    def joint(self, member: int, i: int, j: int, table: Timetable) -> Road:
-        """Return the joint way, with the platoon's moments of leaving.
+    def master(self, table: Timetable) -> LegalTrip | None:
+        """Return the legal trip of the master.
+
+        Parameters
+        ----------
+        table : Timetable
+            Its moments; no hop is closed, and it is in time, at all departures that are asked for.
+
+        Returns
+        -------
+        LegalTrip or None
+            None if it cannot keep the law.
+        """
+        star, road, slack = self.star, self.star.road, table.slack_s
+        leave = np.append(table.leave_s[:-1], FREE)
+        closed = [road.forbidden(k) for k in range(road.hops)]
+        road = _road(road.drive_s, road.drive_s, _standing(road.stay_s, table), leave, closed)
+        leaves, arrival = int(leave[0]), star.window.arrival_s
+        trip = fastest(
+            road, self._limits(star.rules.limits, leaves, arrival, slack), star.rules.state,
+            star.rules.state_at_s, leaves, leaves,
+            None if arrival >= OPEN_S else arrival + max(slack, 0), star.monday_s,
+        )  # fmt: skip
+        return None if self._moves_weeks(star.rules.limits, leaves, trip, slack) else trip
+
+    def trip(self, member: int, together: Sequence[Together], table: Timetable) -> LegalTrip | None:
+        """Return the fastest legal trip of a member that drives with the master.
 
         Parameters
         ----------
         member : int
-            Of the star, or `MASTER`.
-        i, j : int
-            Nodes of the master's route where it merges and separates.
+            Of the star.
+        together : sequence of (int, int)
+            Where it drives with the master, in driving order.
         table : Timetable
-            The master's; its slack moves what is closed from node i on.
+            The master's.
+
+        Returns
+        -------
+        LegalTrip or None
+            None if it cannot keep the law and its window that way.
+        """
+        star, slack = self.star, table.slack_s
+        rules, window = star.member_rules[member], star.windows[member]
+        road = self.joint(member, together, table)
+        merges = int(table.leave_s[self._low(together[0][0])])
+        latest = window.latest_s
+        if road.leave_s[0] != FREE:
+            latest += slack  # it leaves its origin with the platoon, for all of the span
+        trip = fastest(
+            road, self._limits(rules.limits, merges, window.arrival_s, slack), rules.state,
+            rules.state_at_s, self._earliest(member, together[0][0], merges),
+            None if window.latest_s >= OPEN_S else latest,
+            None if window.arrival_s >= OPEN_S else window.arrival_s + slack, star.monday_s,
+        )  # fmt: skip
+        return None if self._moves_weeks(rules.limits, merges, trip, slack) else trip
+
+    def joint(self, member: int, together: Sequence[Together], table: Timetable) -> Road:
+        """Return the joint way of a member, with the platoon's moments of leaving.
+
+        Parameters
+        ----------
+        member : int
+            Of the star.
+        together : sequence of (int, int)
+            Where it drives with the master, in driving order.
+        table : Timetable
+            The master's; its slack moves what is closed from the first of these nodes on.
 
         Returns
         -------
         Road
-            First the hops of the approach, then those of the master's way, then those onward.
+            The hops of the approach, of the master's way, and those onward.
         """
-        road = self.star.road
-        if member == MASTER:
-            leave = np.append(table.leave_s[:-1], FREE)
-            closed = [self._closed(road, k, 0) for k in range(road.hops)]
-            return _road(road.drive_s, road.drive_s, _standing(road.stay_s, table), leave, closed)
-        low, high = self._low(i), self._low(j)
-        before, after = self.approach(member, i), self.onward(member, j)
-        shared = road.drive_s[low:high]
-        counted = np.ceil(shared * (1.0 - self.star.relief) - 1e-6).astype(np.int64)
-        stay = _standing(road.stay_s, table)[low : high + 1]
-        stay[0] = max(road.stay_s[low], before.stay_s[-1])
-        stay[-1] = max(road.stay_s[high], after.stay_s[0])
-        closed = [
-            *(self._closed(before, k, 0) for k in range(before.hops)),
-            *(self._closed(road, k, table.slack_s) for k in range(low, high)),
-            *(self._closed(after, k, table.slack_s) for k in range(after.hops)),
-        ]
-        return _road(
-            np.concatenate([before.drive_s, shared, after.drive_s]),
-            np.concatenate([before.clock_s, counted, after.clock_s]),
-            np.concatenate([before.stay_s[:-1], stay, after.stay_s[1:]]),
-            np.concatenate(
-                [before.leave_s[:-1], table.leave_s[low:high], [FREE], after.leave_s[1:]]
-            ),
-            closed,
-        )
+        road, last = self.star.road, None
+        parts = [self.approach(member, together[0][0])]
+        for i, j in together:
+            if last is not None:
+                parts.append(_shifted(self._between(member, last, i), table.slack_s))
+            low, high = self._low(i), self._low(j)
+            stay = _standing(road.stay_s, table)[low : high + 1]
+            # Who merges or separates may pause there, whether the platoon stands or not.
+            stay[[0, -1]] = road.stay_s[[low, high]]
+            leave = np.append(table.leave_s[low:high], FREE)
+            parts.append(_shifted(self._shared(low, high, stay, leave), table.slack_s))
+            last = j
+        assert last is not None
+        return joined_roads([*parts, _shifted(self.onward(member, last), table.slack_s)])
 
     def road_to(self, member: int, node: int) -> Road:
         """Return the way of a member to a node of the master's route.
@@ -155,29 +182,58 @@ class RoadTrips:
     def _low(self, node: int) -> int:
         return int(self.star.node_at[node])
 
-    @staticmethod
-    def _closed(road: Road, hop: int, later_s: int) -> IntArray:
-        found = road.forbidden(hop)
-        if not later_s or not len(found):
-            return found
-        found = found + np.array([later_s, 0])
-        return _apart(found[found[:, 0] < found[:, 1]])
+    def _earliest(self, member: int, i: int, merges: int) -> int:
+        """Return when a member leaves at the earliest that merges at a moment."""
+        earliest = self.star.windows[member].earliest_s
+        if earliest > -OPEN_S:
+            return earliest
+        return merges - 3 * int(self.star.approach_s[member, i]) - BEFORE_S
 
-    def _weeks_matter(self, rules: VehicleRules, road: Road, table: Timetable) -> bool:
-        """Whether a limit of the week might bind, or Monday lie within the trip."""
-        limits, state = rules.limits, rules.state
-        driven = float(road.clock_s.sum()) + state.driven_this_week_s
-        share = 2 if limits.change_s else 1
-        if driven > limits.week_s / share:
-            return True
-        if driven + state.driven_last_week_s > limits.fortnight_s / share:
-            return True
+    def _shared(self, low: int, high: int, stay: IntArray, leave: IntArray) -> Road:
+        """Return a part of the master's way as a follower drives it."""
+        road = self.star.road
+        drive = road.drive_s[low:high]
+        clock = np.ceil(drive * (1.0 - self.star.relief) - 1e-6).astype(np.int64)
+        return _road(drive, clock, stay, leave, [road.forbidden(k) for k in range(low, high)])
+
+    def _between(self, member: int, i: int, j: int) -> Road:
+        """Return the master's route between two nodes, driven alone."""
+        if self.between is not None:
+            return self.between(member, i, j)
+        road, low, high = self.star.road, self._low(i), self._low(j)
+        drive = road.drive_s[low:high]
+        closed = [road.forbidden(k) for k in range(low, high)]
+        return _road(
+            drive, drive, road.stay_s[low : high + 1], np.full(high - low + 1, FREE), closed
+        )
+
+    def _limits(self, limits: Limits, leaves: int, arrival: int, slack: int) -> Limits:
+        """Return limits for a span of departures, by when i is left and the latest arrival."""
+        if not slack:
+            return limits
+        limits = replace(
+            limits,
+            window_s=max(0.0, limits.window_s + slack),
+            long_window_s=max(0.0, limits.long_window_s + slack),
+            weekly_after_s=max(0.0, limits.weekly_after_s + slack),
+        )
+        if slack < 0 or not self._passes_monday(limits, leaves - slack, arrival + slack):
+            return limits
+        # Some of the driving may lie in either week, and a long day, too.
+        return replace(limits, week_s=np.inf, fortnight_s=np.inf, long_days=limits.long_days + 7)
+
+    def _moves_weeks(self, limits: Limits, leaves: int, trip: LegalTrip | None, slack: int) -> bool:
+        """Tell whether a trip that is to hold for a span would move over a Monday in it."""
+        if trip is None or slack >= 0:
+            return False
+        return self._passes_monday(limits, leaves, trip.arrival_s - slack)
+
+    def _passes_monday(self, limits: Limits, begin: int, end: int) -> bool:
+        """Tell whether a week that counts by the calendar begins between two moments."""
         if not limits.calendar_weeks or not np.isfinite(limits.day_s):
             return False
-        span = 2 * int(road.drive_s.sum()) + WEEK_S // 7
-        low = (int(table.leave_s[0]) - span - self.star.monday_s) // WEEK_S
-        high = (int(table.leave_s[-1]) + span - self.star.monday_s) // WEEK_S
-        return bool(low != high)
+        monday = self.star.monday_s
+        return end >= OPEN_S or (begin - monday) // WEEK_S != (end - monday) // WEEK_S
 
 
 def _standing(stay_s: IntArray, table: Timetable) -> IntArray:
@@ -186,6 +242,17 @@ def _standing(stay_s: IntArray, table: Timetable) -> IntArray:
     for position, _ in table.stops:
         own[position] = stay_s[position]
     return own
+
+
+def _shifted(road: Road, later_s: int) -> Road:
+    """Return a road whose closings begin later, and end when they do."""
+    if not later_s or not len(road.forbidden_s):
+        return road
+    closed = []
+    for hop in range(road.hops):
+        some = road.forbidden(hop) + np.array([later_s, 0])
+        closed.append(_apart(some[some[:, 0] < some[:, 1]]))
+    return _road(road.drive_s, road.clock_s, road.stay_s, road.leave_s, closed)
 
 
 def _apart(intervals: IntArray) -> IntArray:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ...errors import ScenarioError
 from ...plans.pauses import PURPOSES
 
-__all__ = ["FREE", "NO_LIMIT", "LegalTrip", "PlannedPause", "Road", "road_of"]
+__all__ = ["FREE", "NO_LIMIT", "LegalTrip", "PlannedPause", "Road", "joined_roads", "road_of"]
 
 IntArray = NDArray[np.int64]
 
@@ -135,6 +135,37 @@ def road_of(
         np.full(len(drive) + 1, FREE) if leave_s is None else np.asarray(leave_s, dtype=np.int64),
         np.concatenate([[0], np.cumsum(np.asarray(counts, dtype=np.int64))]),
         np.array([pair for one in closed for pair in one], dtype=np.int64).reshape(-1, 2),
+    )
+
+
+def joined_roads(parts: Sequence[Road]) -> Road:
+    """Return roads that follow each other as one.
+
+    Parameters
+    ----------
+    parts : sequence of Road
+        In driving order; some of them have hops.
+
+    Returns
+    -------
+    Road
+        At a point where two meet the longer stay holds, and whichever moment is given.
+    """
+    some = [part for part in parts if part.hops]
+    stay, leave = some[0].stay_s, some[0].leave_s
+    for part in some[1:]:
+        stay = np.concatenate([stay[:-1], np.maximum(stay[-1:], part.stay_s[:1]), part.stay_s[1:]])
+        leave = np.concatenate(
+            [leave[:-1], np.maximum(leave[-1:], part.leave_s[:1]), part.leave_s[1:]]
+        )
+    counts = [np.diff(part.forbidden_first) for part in some]
+    return Road(
+        np.concatenate([part.drive_s for part in some]),
+        np.concatenate([part.clock_s for part in some]),
+        stay,
+        leave,
+        np.concatenate([[0], np.cumsum(np.concatenate(counts))]),
+        np.concatenate([part.forbidden_s for part in some]),
     )
 
 

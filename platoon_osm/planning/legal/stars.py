@@ -20,11 +20,11 @@ from ..question import Question
 from ..star import Star
 from .cut_at_pauses import Driven
 from .legal_question import LegalQuestion
-from .member_ways import MemberWays, Together
+from .member_ways import MemberWays
 from .platoon_again import Again
-from .platoon_record import PlatoonTiming, Timetable
+from .platoon_real import Together
+from .platoon_record import PlatoonTiming
 from .platoon_search import search_platoon
-from .road import LegalTrip
 from .star_input import star_way
 
 __all__ = ["LIMIT_S", "MOST_SPANS", "Planned", "case_of", "planned_platoons"]
@@ -203,7 +203,7 @@ def _best_star(
         if len(some):
             own = best.timing.members[row].trip
             assert own is not None
-            way = best.ways.way(row, some, table.leave_s)
+            way = best.ways.way(row, some, table)
             plan.driven[member] = Driven(way, own, legal.rules[member])
     return best
 
@@ -250,7 +250,7 @@ def _timed_star(
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
     timing = search_platoon(
-        own.times, ways.real, LIMIT_S, most_spans=most_spans, roads=ways, plain=open_roads,
+        own.times, ways.trips, LIMIT_S, most_spans=most_spans, roads=ways.trips, plain=open_roads,
         again=_again(legal, ways) if case_of(legal.question) == "C" else None,
     )  # fmt: skip
     together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
@@ -264,11 +264,8 @@ def _again(legal: LegalQuestion, ways: MemberWays) -> Again:
     star, fleet = ways.own.star, legal.question.fleet
     solo_along = [running_sum(fleet.alone(member)[star.route]) for member in star.members]
 
-    def trip(row: int, together: Sequence[Together], timetable: Timetable) -> LegalTrip | None:
-        return ways.trip(row, together, timetable.leave_s, timetable.slack_s)
-
     shape = len(star.members), len(star.route) + 1
-    return Again(np.array(solo_along).reshape(shape), trip)
+    return Again(np.array(solo_along).reshape(shape), ways.trips.trip)
 
 
 def _allowed(legal: LegalQuestion, found: Platooned) -> bool:

@@ -22,7 +22,7 @@ from ...plans.pauses import PausePlace
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 from ..timing.forbidden import Interval, Section, forbidden_starts
-from .road import NO_LIMIT, Road, road_of
+from .road import NO_LIMIT, Road, joined_roads, road_of
 
 __all__ = ["NEAR_S", "Closed", "WayPoint", "WayPoints", "joined", "part_of_way", "way_points"]
 
@@ -269,8 +269,8 @@ def _time_at(starts: Floats, drive_s: Floats, point: WayPoint) -> float:
     return begin + (point.share * float(drive_s[point.at]) if point.share else 0.0)
 
 
-def part_of_way(way: WayPoints, first: int, last: int, clock: float = 1.0) -> WayPoints:
-    """Return what lies between two points of a way, as somebody else drives it too.
+def part_of_way(way: WayPoints, first: int, last: int) -> WayPoints:
+    """Return what lies between two points of a way.
 
     Parameters
     ----------
@@ -278,8 +278,6 @@ def part_of_way(way: WayPoints, first: int, last: int, clock: float = 1.0) -> Wa
         The way.
     first, last : int
         Its points.
-    clock : float
-        What a driver's clock counts of the driving, as a share.
 
     Returns
     -------
@@ -288,11 +286,10 @@ def part_of_way(way: WayPoints, first: int, last: int, clock: float = 1.0) -> Wa
     """
     road, begin = way.road, way.points[first].at
     hops, points = slice(first, last), slice(first, last + 1)
-    drive = road.drive_s[hops]
     part = road_of(
-        drive,
+        road.drive_s[hops],
         road.stay_s[points],
-        clock_s=np.ceil(drive * clock - HAIR_S).astype(np.int64),
+        clock_s=road.clock_s[hops],
         leave_s=road.leave_s[points],
         forbidden=[[tuple(one) for one in road.forbidden(k).tolist()] for k in range(first, last)],
     )
@@ -314,30 +311,10 @@ def joined(parts: Sequence[WayPoints]) -> WayPoints:
     """
     some = [part for part in parts if part.road.hops]
     points = list(some[0].points)
-    roads = [some[0].road]
-    stay = some[0].road.stay_s.tolist()
-    leave = some[0].road.leave_s.tolist()
     for part in some[1:]:
         offset = points[-1].at
         first = part.points[0]
         place = points[-1].place if first.place is None else first.place
         points[-1] = WayPoint(offset, 0.0, place)
         points += [replace(one, at=one.at + offset) for one in part.points[1:]]
-        own_stay, own_leave = part.road.stay_s.tolist(), part.road.leave_s.tolist()
-        stay[-1] = max(stay[-1], own_stay[0])
-        leave[-1] = max(leave[-1], own_leave[0])
-        stay += own_stay[1:]
-        leave += own_leave[1:]
-        roads.append(part.road)
-    road = road_of(
-        np.concatenate([one.drive_s for one in roads]),
-        stay,
-        clock_s=np.concatenate([one.clock_s for one in roads]),
-        leave_s=leave,
-        forbidden=[
-            [tuple(pair) for pair in one.forbidden(k).tolist()]
-            for one in roads
-            for k in range(one.hops)
-        ],
-    )
-    return WayPoints(road, tuple(points))
+    return WayPoints(joined_roads([part.road for part in some]), tuple(points))
