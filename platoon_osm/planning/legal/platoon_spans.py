@@ -39,7 +39,7 @@ Choice = tuple[float, int, int, LegalTrip | None]
 SPLIT_S = 14400
 """Spans shorter than this are split by stops before they are split again [s]."""
 
-DIVE = 8
+DIVE = 1.3
 """The search looks ahead after its first step, and whenever it has taken so many times more."""
 
 
@@ -227,7 +227,7 @@ class SpanSearch:
                     for span in self.stops.allowed(self.star.road, stops, begin, end)
                 ]
             )
-        turn, dive_at, ahead = 0, 1, None
+        turn, dive_at, ahead = 0, 1.0, None
         while self.heap:
             if max(self.heap[0][1], floor) >= self.best - self.tolerance:
                 break
