@@ -12,7 +12,7 @@ from .text_table import listed
 from .timetable import LATE_S, VehicleTimes
 
 __all__ = [
-    "NOT_FEASIBLE", "NOT_IN_TIME", "NOT_LAWFUL", "Lateness", "Moments", "late_alone_s",
+    "NOT_FEASIBLE", "NOT_IN_TIME", "NOT_LAWFUL", "WAY_OUT", "Lateness", "Moments", "late_alone_s",
     "status_lines", "who_is_late",
 ]  # fmt: skip
 
@@ -22,6 +22,8 @@ NOT_IN_TIME = f"{NOT_FEASIBLE} in time"
 """Begins those on who is late."""
 NOT_LAWFUL = f"{NOT_FEASIBLE} within the law"
 """Begins those on who cannot keep to the driving rules."""
+WAY_OUT = "would be in time"
+"""Stands in those on what would do, between who is late and that."""
 
 
 class Moments(Protocol):

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 import shapely
+from paused_plans import day_with_breaks
 from plan_kinds import plan_kind
 from soak import chosen, soaked
 
@@ -215,6 +216,20 @@ def test_texts_of_a_live_map_are_whole_and_in_nobodys_way(
     page.evaluate("void map_plan.panBy([37, 21], {animate: false})")
     cut = [fault for fault in page.evaluate(FAULTS)["faults"] if "is cut" in fault]
     assert [fault for fault in cut if ":" not in fault] == []
+
+
+@pytest.mark.browser
+def test_callouts_of_what_is_seen_are_seen(visit: Visit, tmp_path: Path) -> None:
+    """Of pauses near the edge of the view too, where there is more room outside it."""
+    plan, net = day_with_breaks()
+    write_html(plan, net, tmp_path / "day.html")
+    page = visit(tmp_path / "day.html", 1440, 900).page
+    frame = page.locator("#map_plan").bounding_box()
+    boxes = [one.bounding_box() for one in page.locator("#map_plan .callout").all()]
+    assert len(boxes) > 3
+    for box in boxes:
+        assert frame["x"] <= box["x"] <= frame["x"] + frame["width"] - box["width"]
+        assert frame["y"] <= box["y"] <= frame["y"] + frame["height"] - box["height"]
 
 
 @pytest.mark.browser

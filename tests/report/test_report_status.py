@@ -230,3 +230,8 @@ def test_who_is_late_within_the_law_is_told_once() -> None:
     assert len(late) == 1
     assert late[0].count("late even alone") == 1
     assert late[0].endswith("late even alone; give earlier departures or later arrivals")
+    # What would do stands right below, and nowhere else.
+    ways = [remark for remark in plan.remarks if remark.startswith("A would be in time ")]
+    assert ways
+    assert told[1 : 1 + len(ways)] == [("plain", way) for way in ways]
+    assert not {*ways} & {*report_document(plan, net)["provenance"]["remarks"]}

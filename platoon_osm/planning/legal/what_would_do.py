@@ -8,6 +8,7 @@ from ...driving.limits import Limits
 from ...driving.rules import DrivingRules, limits_of
 from ...errors import ScenarioError
 from ...plans.clock import late_by
+from ...plans.lateness import WAY_OUT
 from .legal_question import LegalQuestion
 from .why_not import why_not
 
@@ -57,11 +58,11 @@ def what_would_do(legal: LegalQuestion) -> Iterator[str]:
             continue
         name = legal.question.ends[index].vehicle
         if found.earlier_s:
-            yield f"{name} would be in time if it might leave earlier by {late_by(found.earlier_s)}"
+            yield f"{name} {WAY_OUT} if it might leave earlier by {late_by(found.earlier_s)}"
         if found.later_s:
-            yield f"{name} would be in time if it might leave later by {late_by(found.later_s)}"
+            yield f"{name} {WAY_OUT} if it might leave later by {late_by(found.later_s)}"
         for remedy in found.remedies:
-            yield f"{name} would be in time {REMEDIES[remedy]}"
+            yield f"{name} {WAY_OUT} {REMEDIES[remedy]}"
 
 
 def _team(rules: DrivingRules) -> Limits | None:

@@ -79,12 +79,14 @@ function viewBox() {
   return { x: low.x, y: low.y, w, h };
 }
 
+const isWithin = ({ x, y, w, h }, view) =>
+  x >= view.x && y >= view.y && x + w <= view.x + view.w && y + h <= view.y + view.h;
+
 /* Does the edge of the view cut a box? One that lies outside altogether may come in later. */
 function isCut(box, view) {
   const apart = box.x + box.w <= view.x || box.x >= view.x + view.w ||
     box.y + box.h <= view.y || box.y >= view.y + view.h;
-  return !apart && (box.x < view.x || box.y < view.y ||
-    box.x + box.w > view.x + view.w || box.y + box.h > view.y + view.h);
+  return !apart && !isWithin(box, view);
 }
 
 const NEAR_PX = 22;
@@ -139,8 +141,10 @@ function arrangeCallouts(cover, reach) {
   });
   for (const one of callouts) {
     const [w, h] = [one.box.offsetWidth, one.box.offsetHeight];
-    // A small screen has no room for them.
-    one.choices = frame.clientWidth < 600 ? [] : [...around(one.at, w, h)].filter((place) => !isCut(place, view));
+    // What is said of a mark that is seen is seen too. A small screen has no room for them.
+    const seen = crossesBox([one.at, one.at], view);
+    one.choices = frame.clientWidth < 600 ? [] : [...around(one.at, w, h)].filter((place) =>
+      seen ? isWithin(place, view) : !isCut(place, view));
   }
   // The first to choose may stand in the way of the others: let each choose again, twice.
   for (let round = 0; round < 3; round++) {

@@ -17,6 +17,7 @@ from ..language.speech import number, say
 from ..markup.quantities import CostUnit, percent
 from .model import LabelledText, Provenance
 from .profiles import profile_rows
+from .status import ways_out
 
 __all__ = ["credits", "proof_text", "provenance"]
 
@@ -151,7 +152,12 @@ def proof_text(proof: Mapping[str, object], unit: CostUnit) -> str:
 
 def _other_remarks(plan: Plan) -> list[str]:
     """Return the plan's remarks but those that head the page."""
-    return [remark for remark in plan.remarks if not remark.startswith(NOT_FEASIBLE)]
+    told = ways_out(plan.remarks)
+    return [
+        remark
+        for remark in plan.remarks
+        if not remark.startswith(NOT_FEASIBLE) and remark not in told
+    ]
 
 
 def _day(moment: str) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 
 from ...driving.rules import RULES
 from ...plans.clock import duration
-from ...plans.lateness import NOT_FEASIBLE, NOT_IN_TIME, Lateness, who_is_late
+from ...plans.lateness import NOT_FEASIBLE, NOT_IN_TIME, WAY_OUT, Lateness, who_is_late
 from ...shown_text import fitted
 from ..language.plan_sentences import in_language
 from ..language.speech import late_by, number, say
@@ -20,7 +20,7 @@ from .model_law import Law
 from .model_vehicle import Vehicle
 from .wording import MOST_NAMED, joined
 
-__all__ = ["lateness", "law_name", "status"]
+__all__ = ["lateness", "law_name", "status", "ways_out"]
 
 BEYOND = {"spell": "status.spell", "day": "status.day", "duty": "status.duty"}
 NAMES = {"eu561": "law.eu561", "us395": "law.us395"}
@@ -51,8 +51,8 @@ def status(
     Yields
     ------
     Status
-        Lateness, or that all are in time where latest arrivals were named; likewise of the law;
-        and that nobody drives in platoon, if so.
+        Lateness and what would do, or that all are in time where latest arrivals were named;
+        likewise of the law; and that nobody drives in platoon, if so.
     """
     found = who_is_late(days)
     if found.late:
@@ -66,6 +66,8 @@ def status(
         if remark.startswith(NOT_FEASIBLE) and not told:
             text = fitted(in_language(remark))
             yield Status("bad", text[:1].upper() + text[1:])
+    for remark in ways_out(remarks):
+        yield Status("plain", fitted(in_language(remark)))
     if law is not None:
         beyond = list(_beyond(law, called))
         if beyond:
@@ -74,6 +76,22 @@ def status(
             yield Status("good", say("status.legal", rules=law_name(law.rules)))
     if not platoon:
         yield Status("plain", say("status.no-platoon", n=len(called)))
+
+
+def ways_out(remarks: Sequence[str]) -> list[str]:
+    """Return the remarks on what would do for those who cannot be in time, as far as they head it.
+
+    Parameters
+    ----------
+    remarks : sequence of str
+        Of a plan.
+
+    Returns
+    -------
+    list of str
+        The first few.
+    """
+    return [remark for remark in remarks if f" {WAY_OUT} " in remark][:MOST_NAMED]
 
 
 def _late(found: Lateness, every: int) -> str:
