@@ -5,11 +5,12 @@ from __future__ import annotations
 from ..best import WAITING_FREE
 from ..question import Question
 
-__all__ = ["MEMBERS", "STANDS_FOR_LAW", "STOPPED", "of_every_plan"]
+__all__ = ["ALL_TOGETHER", "MEMBERS", "STANDS_FOR_LAW", "STOPPED", "of_every_plan"]
 
 STANDS_FOR_LAW = "which stands for its breaks and rests alone"
 WHOLE_SECONDS = "times in whole seconds"
 MEMBERS = "members pay least in all, and what masters gain is counted then"
+ALL_TOGETHER = "members and master pay least in all"
 STOPPED = "the search ended before all was compared"
 
 

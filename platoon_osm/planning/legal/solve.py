@@ -18,7 +18,7 @@ from ..company.bound import least_total
 from ..company.draft import Draft
 from ..question import Question
 from ..reasons import reasons_alone
-from .conditions import MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
+from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
 from .lawful_plan import timed_under_law
 from .legal_question import LegalQuestion
 from .stars import Planned, planned_platoons
@@ -82,7 +82,8 @@ def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
     tried = f"{planned.masters} of {planned.masters} masters tried"
     compared = (tried,) if question.fixed_master is None else ()
     kept = f"master {name} on its own route, {STANDS_FOR_LAW}"
-    who = (kept, *compared, *stopped, ONE_STRETCH, MEMBERS)
+    aim = ALL_TOGETHER if question.problem.optimum == "system" else MEMBERS
+    who = (kept, *compared, *stopped, ONE_STRETCH, aim)
     return _proved(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
 
 

@@ -47,7 +47,11 @@ class StarWay:
 
 
 def star_way(
-    legal: LegalQuestion, star: Star, case: Case, among: Collection[int] | None = None
+    legal: LegalQuestion,
+    star: Star,
+    case: Case,
+    among: Collection[int] | None = None,
+    price: Floats | None = None,
 ) -> StarWay:
     """Return a star in whole seconds.
 
@@ -61,6 +65,9 @@ def star_way(
         Which points are free.
     among : collection of int, optional
         The vehicles that may join; by default all.
+    price : ndarray of float, (K,), optional
+        What members are paid for company on each edge of the route, in place of what the master
+        gains there, which then counts nothing.
 
     Returns
     -------
@@ -84,9 +91,9 @@ def star_way(
         [item.origins for item in own], [item.destinations for item in own],
     )  # fmt: skip
     # Dearer than alone, even if everything shared were free, is of no interest.
-    entry = np.where(entry <= solo[:, None], entry, np.inf)
-    leave = np.where(leave <= solo[:, None], leave, np.inf)
-    gain = (question.fleet[star.master].solo - question.fleet[star.master].master)[star.route]
+    paid = 0.0 if price is None else float(price.sum())
+    entry = np.where(entry <= solo[:, None] + paid, entry, np.inf)
+    leave = np.where(leave <= solo[:, None] + paid, leave, np.inf)
     if among is not None:
         entry[[member not in among for member in star.members]] = np.inf
     times = StarTimes(
@@ -98,7 +105,7 @@ def star_way(
         onward_s=_times(legal, star, leave, forward=False),
         entry=entry,
         leave=leave,
-        platoon=_platoon(star, solo),
+        platoon=_platoon(star, solo) - (0.0 if price is None else running_sum(price)),
         length_m=running_sum(question.net.length_m[star.route]),
         alone=solo,
         alone_s=np.array([int(legal.alone[k].way.road.drive_s.sum()) for k in star.members]),
@@ -106,7 +113,7 @@ def star_way(
         member_rules=tuple(legal.rules[k] for k in star.members),
         relief=question.problem.task_relief,
         master_alone=float(question.fleet[star.master].solo[whole].sum()),
-        gain=gain,
+        gain=star.gain if price is None else np.zeros(len(star.route)),
         monday_s=legal.monday_s,
     )
     return StarWay(star, way, first, times)

@@ -2,14 +2,20 @@
 
 Every vehicle is tried as master, those first whose bound without a clock is least, until no other
 can be better. Who is left alone then may form further platoons among themselves, found likewise.
+
+Under "system" members and master pay least in all. The master gains once an edge, so members hang
+together. Paid the whole gain on each edge they do not, and pay no more than any plan costs: that is
+a bound, and exact for one member; paid a share each, that less what is given away beside. The plan
+is the best of those that are found at these prices, at its true cost.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...plans.records import MasterTried
 from ...plans.stretches import Run, runs_alone
@@ -28,6 +34,8 @@ from .platoon_search import search_platoon
 from .star_input import star_way
 
 __all__ = ["LIMIT_S", "MOST_SPANS", "Planned", "case_of", "planned_platoons"]
+
+Floats = NDArray[np.float64]
 
 MOST_SPANS = 16_000
 """Spans of departures that are looked at for all masters together; then the best of each that was
@@ -246,7 +254,70 @@ def case_of(question: Question) -> Case:
 def _timed_star(
     legal: LegalQuestion, star: Star, among: Collection[int] | None, most_spans: int
 ) -> Platooned:
-    own = star_way(legal, star, case_of(legal.question), among)
+    gain = np.maximum(star.gain, 0.0)
+    if legal.question.problem.optimum == "member" or not gain.any():
+        return _searched(legal, star, among, most_spans)
+    shares = dict.fromkeys((1.0, 1.0 / max(len(star.members), 1)))
+    found = [
+        _for_all(_searched(legal, star, among, most_spans // len(shares), share * gain), share)
+        for share in shares
+    ]
+    best = min(found, key=lambda one: one.timing.cost)
+    timing = replace(
+        best.timing,
+        bound=min(best.timing.cost, max(one.timing.bound for one in found)),
+        proved=all(one.timing.proved for one in found),
+        spans=sum(one.timing.spans for one in found),
+    )
+    return replace(best, timing=timing)
+
+
+def _for_all(found: Platooned, share: float) -> Platooned:
+    """Return a star that was searched at prices with its true cost, and a bound of all plans.
+
+    Members that are paid a share of the master's gain on each of their edges, and the rest of all
+    gains given away, cost no more in all than any plan does: the gain counts once an edge.
+    """
+    star, timing = found.star, found.timing
+    gain = np.maximum(star.gain, 0.0)
+    along = running_sum(gain)
+    alone = found.star.costs[2]
+    pays = [
+        one.cost + share * sum(float(along[j] - along[i]) for i, j in some)
+        for one, some in zip(timing.members, found.together, strict=False)
+    ]
+    together = list(found.together)
+    # One companion is enough for the master: who costs more than it brings stays alone.
+    for row in sorted(range(len(pays)), key=lambda k: float(alone[k]) - pays[k]):
+        with_it = float(star.gain[_met(star, together)].sum())
+        without = float(star.gain[_met(star, [*together[:row], *together[row + 1 :]])].sum())
+        if together[row] and pays[row] - alone[row] > (with_it - without) + NO_CHEAPER * pays[row]:
+            together[row], pays[row] = (), float(alone[row])
+    bound = timing.bound - (1.0 - share) * float(gain.sum())
+    cost = timing.cost
+    if timing.timetable is not None:
+        cost = sum(pays) + star.master_alone - float(star.gain[_met(star, together)].sum())
+    timing = replace(timing, cost=cost, bound=min(bound, cost))
+    return replace(found, timing=timing, together=together)
+
+
+def _met(star: Star, together: Sequence[Sequence[Together]]) -> NDArray[np.bool_]:
+    """Mark the edges of the route on which the master has company."""
+    met = np.zeros(len(star.route), bool)
+    for some in together:
+        for i, j in some:
+            met[i:j] = True
+    return met
+
+
+def _searched(
+    legal: LegalQuestion,
+    star: Star,
+    among: Collection[int] | None,
+    most_spans: int,
+    price: Floats | None = None,
+) -> Platooned:
+    own = star_way(legal, star, case_of(legal.question), among, price)
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
     timing = search_platoon(
@@ -274,10 +345,5 @@ def _allowed(legal: LegalQuestion, found: Platooned) -> bool:
     if question.problem.optimum == "system":
         return True
     star = found.star
-    met = np.zeros(len(star.route), bool)
-    for some in found.together:
-        for i, j in some:
-            met[i:j] = True
-    weights = question.fleet[star.master]
-    gain = (weights.solo - weights.master)[star.route]
-    return float(gain[met].sum()) >= -NO_CHEAPER * float(question.solo[star.master])
+    gained = float(star.gain[_met(star, found.together)].sum())
+    return gained >= -NO_CHEAPER * float(question.solo[star.master])
