@@ -24,10 +24,11 @@ from .departure_steps import DepartureStep, steps_of_departure
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
 from .platoon_search import cost_of, gained
+from .star_in_time import LIMIT_S, case_of
 from .star_input import star_way
 from .star_searches import StarSearches
 from .star_times import StarTimes
-from .stars import LIMIT_S, MOST_SPANS, case_of, planned_platoons
+from .stars import MOST_SPANS, planned_platoons
 
 __all__ = ["legal_curve", "legal_frontier"]
 

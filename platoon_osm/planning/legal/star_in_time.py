@@ -1,0 +1,204 @@
+"""One star under driving rules: when it is driven, and who drives in it.
+
+Under "system" members and master pay least in all. The master gains once an edge, so members hang
+together. Paid the whole gain on each edge they do not, and pay no more than any plan costs: that is
+a bound, and exact for one member; paid a share each, that less what is given away beside. The plan
+is the best of those that are found at these prices, at its true cost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..cases import Case, running_sum
+from ..company.draft import NO_CHEAPER
+from ..question import Question
+from ..star import Star
+from .legal_question import LegalQuestion
+from .member_ways import MemberWays
+from .platoon_again import Again
+from .platoon_real import Together
+from .platoon_record import PlatoonTiming
+from .platoon_search import search_platoon
+from .star_input import star_way
+
+__all__ = ["LIMIT_S", "Platooned", "case_of", "met_on_route", "timed_star"]
+
+Floats = NDArray[np.float64]
+
+LIMIT_S = 60.0
+"""No search for one master lasts longer, on however slow a machine [s]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Platooned:
+    """One star as it is driven.
+
+    Attributes
+    ----------
+    star : Star
+        The master and its members.
+    timing : PlatoonTiming
+        When.
+    ways : MemberWays
+        The members' ways.
+    together : list of sequence of (int, int), (M, ...)
+        Where each member drives with the master; nothing for one that stays alone.
+    """
+
+    star: Star
+    timing: PlatoonTiming
+    ways: MemberWays
+    together: list[Sequence[Together]]
+
+    @property
+    def joined(self) -> list[int]:
+        """The vehicles that drive with the master, and the master, as positions in the plan."""
+        own = [k for k, some in zip(self.star.members, self.together, strict=True) if len(some)]
+        return sorted([self.star.master, *own]) if own else []
+
+
+def case_of(question: Question) -> Case:
+    """Return which points are free in a star.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+
+    Returns
+    -------
+    {"A", "B", "C"}
+        "C" where any case will do.
+    """
+    asked = question.problem.case
+    return "A" if asked == "A" else "B" if asked == "B" else "C"
+
+
+def timed_star(
+    legal: LegalQuestion, star: Star, among: Collection[int] | None, most_spans: int
+) -> Platooned:
+    """Return when a star is driven and who drives in it, so that what is asked for is least.
+
+    Parameters
+    ----------
+    legal : LegalQuestion
+        What is asked, with its law.
+    star : Star
+        A master and its members.
+    among : collection of int or None
+        The vehicles that may join; None for all.
+    most_spans : int
+        Spans of departures that are looked at.
+
+    Returns
+    -------
+    Platooned
+        With its cost, and a bound of all plans of this star.
+    """
+    gain = np.maximum(star.gain, 0.0)
+    if legal.question.problem.optimum == "member" or not gain.any():
+        return _searched(legal, star, among, most_spans)
+    shares = dict.fromkeys((1.0, 1.0 / max(len(star.members), 1)))
+    found = [
+        _for_all(_searched(legal, star, among, most_spans // len(shares), share * gain), share)
+        for share in shares
+    ]
+    best = min(found, key=lambda one: one.timing.cost)
+    timing = replace(
+        best.timing,
+        bound=min(best.timing.cost, max(one.timing.bound for one in found)),
+        proved=all(one.timing.proved for one in found),
+        spans=sum(one.timing.spans for one in found),
+    )
+    return replace(best, timing=timing)
+
+
+def _for_all(found: Platooned, share: float) -> Platooned:
+    """Return a star that was searched at prices with its true cost, and a bound of all plans.
+
+    Members that are paid a share of the master's gain on each of their edges, and the rest of all
+    gains given away, cost no more in all than any plan does: the gain counts once an edge.
+    """
+    star, timing = found.star, found.timing
+    gain = np.maximum(star.gain, 0.0)
+    along = running_sum(gain)
+    alone = found.star.costs[2]
+    pays = [
+        one.cost + share * sum(float(along[j] - along[i]) for i, j in some)
+        for one, some in zip(timing.members, found.together, strict=False)
+    ]
+    together = list(found.together)
+
+    def gained() -> float:
+        return float(star.gain[met_on_route(star, together)].sum())
+
+    # One companion is enough for the master: who costs more than it brings stays alone.
+    for row in sorted(range(len(pays)), key=lambda k: float(alone[k]) - pays[k]):
+        own, with_it = together[row], gained()
+        together[row] = ()
+        if own and pays[row] - alone[row] > with_it - gained() + NO_CHEAPER * pays[row]:
+            pays[row] = float(alone[row])
+        else:
+            together[row] = own
+    bound = timing.bound - (1.0 - share) * float(gain.sum())
+    cost = timing.cost
+    if timing.timetable is not None:
+        cost = sum(pays) + star.master_alone - gained()
+    timing = replace(timing, cost=cost, bound=min(bound, cost))
+    return replace(found, timing=timing, together=together)
+
+
+def met_on_route(star: Star, together: Sequence[Sequence[Together]]) -> NDArray[np.bool_]:
+    """Mark the edges of the route on which the master has company.
+
+    Parameters
+    ----------
+    star : Star
+        Whose master.
+    together : sequence of sequence of (int, int), (M, ...)
+        The stretches of each member.
+
+    Returns
+    -------
+    ndarray of bool, (K,)
+        Of the master's route.
+    """
+    met = np.zeros(len(star.route), bool)
+    for some in together:
+        for i, j in some:
+            met[i:j] = True
+    return met
+
+
+def _searched(
+    legal: LegalQuestion,
+    star: Star,
+    among: Collection[int] | None,
+    most_spans: int,
+    price: Floats | None = None,
+) -> Platooned:
+    own = star_way(legal, star, case_of(legal.question), among, price)
+    ways = MemberWays(legal, own)
+    open_roads = np.full(len(star.members), not legal.has_closings)
+    timing = search_platoon(
+        own.times, ways.trips, LIMIT_S, most_spans=most_spans, roads=ways.trips, plain=open_roads,
+        again=_again(legal, ways) if case_of(legal.question) == "C" else None,
+    )  # fmt: skip
+    together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
+        () for _ in star.members
+    ]
+    return Platooned(star, timing, ways, together)
+
+
+def _again(legal: LegalQuestion, ways: MemberWays) -> Again:
+    """Return what it takes for members that stopped alone to join again."""
+    star, fleet = ways.own.star, legal.question.fleet
+    solo_along = [running_sum(fleet.alone(member)[star.route]) for member in star.members]
+
+    shape = len(star.members), len(star.route) + 1
+    return Again(np.array(solo_along).reshape(shape), ways.trips.trip)
