@@ -141,6 +141,10 @@ class Pause:
         return is_break(self.purposes)
 
 
+LONGEST_S = 1e10
+"""Times of a plan lie within this of its start [s]."""
+
+
 @dataclass(frozen=True, slots=True)
 class DriverDay:
     """One driver of a vehicle.
@@ -158,6 +162,12 @@ class DriverDay:
     state: DriverState
     state_at_s: float
     drives: tuple[int, ...] | None = None
+
+    def __post_init__(self) -> None:
+        if not (is_number(self.state_at_s) and abs(self.state_at_s) < LONGEST_S):
+            raise ScenarioError(
+                f"plan: a driver's state at {brief(self.state_at_s)}; give seconds, or plan again"
+            )
 
 
 def pause_from_dict(data: Mapping[str, Any]) -> Pause:

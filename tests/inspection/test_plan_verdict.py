@@ -315,3 +315,9 @@ def test_check_refuses_what_it_cannot_look_at(
     refused(capsys, ["check", "plan.json", "--rules", "ours"], "'ours' is not one of")
     with_table(alone, rules="ours").write_json("plan.json")
     refused(capsys, ["check", "plan.json"], "'ours' have no checker")
+
+
+@pytest.mark.parametrize("moment", [float("nan"), float("inf"), -1e300, None, "six"])
+def test_a_driver_whose_state_holds_at_no_moment_is_no_driver(moment: Any) -> None:
+    with pytest.raises(po.ScenarioError, match="a driver's state at"):
+        DriverDay(DriverState(), moment)
