@@ -13,12 +13,12 @@ week, and the days in it, are the same for the whole span unless a Monday lies b
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from ...driving.limits import Limits
-from .one_driver import fastest
+from .one_driver import fastest, least_late
 from .platoon_record import MASTER, Timetable
 from .road import FREE, IntArray, LegalTrip, Road, joined_roads
 from .star_times import OPEN_S, StarTimes
@@ -29,6 +29,10 @@ Together = tuple[int, int]
 """From which node of the master's route to which a member drives with it."""
 
 WEEK_S = 7 * 24 * 3600
+
+LOOSER_S = 86_400
+"""A question about a span of departures that is no longer than this looks first at whether the
+approach can be driven at all, with limits that are so much longer [s]."""
 
 BEFORE_S = 3 * 86_400
 """A member that names no earliest departure leaves no earlier than this, and thrice the driving
@@ -49,12 +53,16 @@ class RoadTrips:
     between : callable, optional
         From a member and two nodes of the master's route to the route as it drives it alone; by
         default as the master does.
+    reached : dict
+        When members reach nodes at the earliest, as far as that was asked, in questions about one
+        departure or about the best of a span [s]; None for never.
     """
 
     star: StarTimes
     approach: Callable[[int, int], Road]
     onward: Callable[[int, int], Road]
     between: Callable[[int, int, int], Road] | None = None
+    reached: dict[tuple[int, int, bool], int | None] = field(default_factory=dict)
 
     def __call__(self, member: int, i: int, j: int, table: Timetable) -> LegalTrip | None:
         """Return the fastest legal trip; None if there is none."""
@@ -104,8 +112,10 @@ class RoadTrips:
         """
         star, slack = self.star, table.slack_s
         rules, window = star.member_rules[member], star.windows[member]
-        road = self.joint(member, together, table)
         merges = int(table.leave_s[self._low(together[0][0])])
+        if self._is_late(member, together[0][0], merges, slack):
+            return None
+        road = self.joint(member, together, table)
         latest = window.latest_s
         if road.leave_s[0] != FREE:
             latest += slack  # it leaves its origin with the platoon, for all of the span
@@ -116,6 +126,29 @@ class RoadTrips:
             None if window.arrival_s >= OPEN_S else window.arrival_s + slack, star.monday_s,
         )  # fmt: skip
         return None if self._moves_weeks(rules.limits, merges, trip, slack) else trip
+
+    def _is_late(self, member: int, i: int, merges: int, slack: int) -> bool:
+        """Tell whether a member cannot be at a node by a moment, whatever follows."""
+        star, road = self.star, self.approach(member, i)
+        rules, window = star.member_rules[member], star.windows[member]
+        if window.earliest_s <= -OPEN_S or slack > LOOSER_S or not road.hops:
+            return False
+        key = member, i, slack > 0
+        if key not in self.reached:
+            limits = rules.limits
+            if slack > 0:
+                limits = replace(
+                    limits, window_s=limits.window_s + LOOSER_S, week_s=np.inf, fortnight_s=np.inf,
+                    long_window_s=limits.long_window_s + LOOSER_S, long_days=limits.long_days + 7,
+                    weekly_after_s=limits.weekly_after_s + LOOSER_S,
+                )  # fmt: skip
+            latest = None if window.latest_s >= OPEN_S else window.latest_s
+            self.reached[key] = least_late(
+                road, limits, rules.state, rules.state_at_s, window.earliest_s, latest,
+                star.monday_s,
+            )  # fmt: skip
+        reached = self.reached[key]
+        return reached is None or merges < reached
 
     def joint(self, member: int, together: Sequence[Together], table: Timetable) -> Road:
         """Return the joint way of a member, with the platoon's moments of leaving.
