@@ -1,9 +1,6 @@
 r"""Energy and fuel that climbs add to driving on level road.
 
-Level road asks of a vehicle, for every metre, the force of its rolling and air resistance
-
-.. math:: F = c_r m g + \tfrac{1}{2} \rho c_w A v^2 .
-
+Level road asks of a vehicle the force of its rolling and air resistance (`resistance`).
 A climb of height h adds m g h; the engine gives it, at the efficiency of engine and driveline. A
 descent gives m g h back, but only up to what resistance takes on its length: the rest is braked
 away. How much of that is used, for drivers and cruise controls brake more, is `recovered`.
@@ -13,11 +10,9 @@ issue. It is here to be read, and for costs of one's own.
 
 References
 ----------
-.. [1] National Research Council, "Review of the 21st Century Truck Partnership, Second Report",
-   2012, table G-1: drag coefficient 0.63 and rolling resistance 0.0068 of tractors with high roofs
-   and their trailers, mid-2000s.
-.. [2] Directive 2009/28/EC, annex III: 36 MJ in a litre of diesel (lower heating value).
-.. [3] National Research Council, as [1]_: engines of trucks reach 42 %; with a driveline of 95 %.
+.. [1] Directive 2009/28/EC, annex III: 36 MJ in a litre of diesel (lower heating value).
+.. [2] National Research Council, as in `resistance`: engines of trucks reach 42 %; with a driveline
+   of 95 %.
 """
 
 from __future__ import annotations
@@ -27,26 +22,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ScenarioError, brief
-from ..kinds import is_number
 from ..network.road_network import RoadNetwork, checked_network
 from ..vehicles.profile import Vehicle, vehicle_of
+from .resistance import AIR_KGPM3, DRAG, GRAVITY_MPS2, RANGES, ROLLING, check_ranges, level_n
 
-__all__ = ["GRAVITY_MPS2", "ClimbFuel"]
+__all__ = ["ClimbFuel"]
 
 Floats = NDArray[np.float64]
 
-GRAVITY_MPS2 = 9.80665
-"""Standard acceleration of gravity (CGPM 1901) [m/s²]."""
-
-RANGES = {
-    "efficiency": (0.01, 1.0),
-    "recovered": (0.0, 1.0),
-    "rolling": (0.0, 0.1),
-    "drag": (0.0, 2.0),
-    "air_kgpm3": (0.0, 2.0),
-    "fuel_mjpl": (1.0, 100.0),
-}
+OWN_RANGES = {"efficiency": (0.01, 1.0), "recovered": (0.0, 1.0), "fuel_mjpl": (1.0, 100.0)}
 """Least and most that is no slip of the pen."""
 
 
@@ -77,18 +61,13 @@ class ClimbFuel:
 
     efficiency: float = 0.42 * 0.95
     recovered: float = 1.0
-    rolling: float = 0.0068
-    drag: float = 0.63
-    air_kgpm3: float = 1.2
+    rolling: float = ROLLING
+    drag: float = DRAG
+    air_kgpm3: float = AIR_KGPM3
     fuel_mjpl: float = 36.0
 
     def __post_init__(self) -> None:
-        for label, (least, most) in RANGES.items():
-            value = getattr(self, label)
-            if not (is_number(value) and least <= value <= most):
-                raise ScenarioError(
-                    f"climb fuel: {label} is {brief(value)}; give {least:g} to {most:g}"
-                )
+        check_ranges("climb fuel", self, {**RANGES, **OWN_RANGES})
 
     def extra_mj(self, net: RoadNetwork, vehicle: Vehicle | str | None = None) -> Floats:
         """Return the mechanical energy that climbs and descents add on each edge.
@@ -107,9 +86,7 @@ class ClimbFuel:
         """
         who = vehicle_of(vehicle)
         weight_n = who.mass_t * 1000 * GRAVITY_MPS2
-        speed = checked_network(net).speed_mps
-        area = who.height_m * who.width_m
-        resistance_n = self.rolling * weight_n + self.air_kgpm3 / 2 * self.drag * area * speed**2
+        resistance_n = level_n(self, who, checked_network(net).speed_mps)
         climb, descent = net.climb_m.astype(np.float64), net.descent_m.astype(np.float64)
         # Of an edge only the sums are known: where it descends is taken to be the share of its
         # graded length that its descent has of all ups and downs.

@@ -11,7 +11,7 @@ for. No plan's cost has this in it.
 
 References
 ----------
-.. [1] Resistances as in `climb_fuel`.
+.. [1] Resistances as in `resistance`.
 .. [2] Auxiliaries: 5 kW, a round figure of ours for a tractor on the motorway.
 """
 
@@ -22,10 +22,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..errors import ScenarioError, brief
-from ..kinds import is_number
 from ..vehicles.profile import Vehicle, vehicle_of
-from .climb_fuel import GRAVITY_MPS2
+from .resistance import AIR_KGPM3, DRAG, RANGES, ROLLING, check_ranges, level_n
 
 __all__ = ["LEAST_KMH", "SpeedFuel"]
 
@@ -33,11 +31,6 @@ Floats = NDArray[np.float64]
 
 LEAST_KMH = 60.0
 """Below this a truck on a motorway is in the way of others, and in many countries not allowed."""
-
-RANGES = {
-    "rolling": (0.0, 0.1), "drag": (0.0, 2.0), "air_kgpm3": (0.0, 2.0), "auxiliary_kw": (0.0, 50.0)
-}  # fmt: skip
-"""Least and most that is no slip of the pen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,18 +54,13 @@ class SpeedFuel:
         A value that is none, or out of its range.
     """
 
-    rolling: float = 0.0068
-    drag: float = 0.63
-    air_kgpm3: float = 1.2
+    rolling: float = ROLLING
+    drag: float = DRAG
+    air_kgpm3: float = AIR_KGPM3
     auxiliary_kw: float = 5.0
 
     def __post_init__(self) -> None:
-        for label, (least, most) in RANGES.items():
-            value = getattr(self, label)
-            if not (is_number(value) and least <= value <= most):
-                raise ScenarioError(
-                    f"speed fuel: {label} is {brief(value)}; give {least:g} to {most:g}"
-                )
+        check_ranges("speed fuel", self, {**RANGES, "auxiliary_kw": (0.0, 50.0)})
 
     def force_n(
         self, speed_mps: ArrayLike, vehicle: Vehicle | str | None = None, air_saved: float = 0.0
@@ -95,10 +83,8 @@ class SpeedFuel:
         """
         who = vehicle_of(vehicle)
         speed = np.asarray(speed_mps, np.float64)
-        area = who.height_m * who.width_m
-        air = self.air_kgpm3 / 2 * self.drag * area * speed**2 * (1 - air_saved)
-        rolling = self.rolling * who.mass_t * 1000 * GRAVITY_MPS2
-        found: Floats = air + rolling + 1000 * self.auxiliary_kw / speed
+        level = level_n(self, who, speed, air_saved)
+        found: Floats = level + 1000 * self.auxiliary_kw / speed
         return found
 
     def ratio(
