@@ -169,7 +169,7 @@ def test_rules_may_be_named_beside_a_problem():
 
 
 def test_where_the_search_ends_by_its_count_there_is_a_bound(monkeypatch, tmp_path):
-    monkeypatch.setattr(legal_curves, "MOST_SPANS", 1)
+    monkeypatch.setattr(legal_curves, "CURVE_SPANS", 1)
     net = italy()
     trips = [
         po.Trip(name, name, "Roma", SIX, flexibility_min=120)
@@ -187,6 +187,19 @@ def test_where_the_search_ends_by_its_count_there_is_a_bound(monkeypatch, tmp_pa
     whole = po.departure_curve(problem, "Milano")
     for at, cost, bound in zip(curve.begin_s, curve.cost, curve.bound, strict=True):
         assert bound * (1 - 1e-9) <= whole.cost_at(at)[0] <= cost * (1 + 1e-9)
+
+
+def test_where_delays_have_used_up_their_count_shorter_ones_speak_for_longer(monkeypatch):
+    net = italy()
+    trips = [po.Trip(name, name, "Roma", SIX) for name in ("Milano", "Torino", "Brescia")]
+    problem = po.Problem(net, trips, po.paper_weights(net), rules="eu561")
+    whole = po.delay_frontier(problem, (15, 60, 90))
+    monkeypatch.setattr(legal_curves, "FRONTIER_SPANS", 50)
+    cut = po.delay_frontier(problem, (15, 60, 90))
+    assert cut.gap[-1] > 0
+    assert cut.cost[-1] == cut.cost[-2]
+    assert (cut.bound <= whole.cost * (1 + 1e-9)).all()
+    assert "the search ended before all was compared" in cut.conditions
 
 
 def test_a_master_that_a_ban_holds_cannot_leave_meanwhile():

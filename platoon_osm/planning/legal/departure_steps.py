@@ -22,13 +22,17 @@ from .platoon_stops import Stops
 from .platoon_ties import simplest
 from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
 
-__all__ = ["DepartureStep", "DepartureSteps", "steps_of_departure"]
+__all__ = ["TRIP_SPANS", "DepartureStep", "DepartureSteps", "steps_of_departure"]
 
 LEAST_SPANS = 100
 """Spans that each search may look at even when those for all are used up."""
 
 MOST_SEARCHES = 400
-"""After so many searches the departures that are left stay untold."""
+"""After so many searches the departures that are left stay untold; and likewise after three times
+the work after which no step is proved."""
+
+TRIP_SPANS = 5
+"""A real trip is as much work as so many spans, about."""
 
 TRIED_SPANS = 400
 """Spans that are looked at with the stops of other steps, before all stops are."""
@@ -93,7 +97,7 @@ def steps_of_departure(
     searches : StarSearches
         Those of its star.
     most_spans : int
-        After so many spans of departures no step is proved any more.
+        After so much work, in spans of departures, no step is proved any more.
     time_limit_s : float
         After which likewise [s]; unlike spans, not the same on every machine.
 
@@ -139,12 +143,20 @@ class _Walk:
     def spans(self) -> int:
         return sum(search.spans for search in self.known.values() if search is not None)
 
+    @property
+    def work(self) -> int:
+        """Spans looked at, and real trips asked for, as spans."""
+        asked = sum(len(search.trips.asked) for search in self.known.values() if search is not None)
+        return self.spans + TRIP_SPANS * asked
+
     def everything(self, begin: int, end: int) -> None:
         """Search all departures from one to another."""
         left = [_Span(u, v) for u, v in self._alike(begin, end)]
         for _ in range(MOST_SEARCHES):
             if not left:
                 return
+            if self.work > 3 * self.most_spans or time.perf_counter() > self.deadline:
+                break
             # What spans are left for goes to the longest, of which most is unknown.
             left.sort(key=lambda span: (span.end - span.begin, -span.begin))
             left += self._next(left.pop())
@@ -201,7 +213,7 @@ class _Walk:
         known = [stops for stops in self.stops if search.stops.allows(stops)]
         search.run(span.begin, span.end, known, floor)
         search.heap.clear()
-        search.most_spans = search.spans + max(self.most_spans - self.spans, LEAST_SPANS)
+        search.most_spans = search.spans + max(self.most_spans - self.work, LEAST_SPANS)
         return search.run(span.begin, span.end, floor=floor)
 
 

@@ -20,7 +20,7 @@ from ..best import ONE_STRETCH
 from ..company.draft import NO_CHEAPER
 from ..question import Question
 from .conditions import MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
-from .departure_steps import DepartureStep, steps_of_departure
+from .departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
 from .platoon_search import cost_of, gained
@@ -28,15 +28,22 @@ from .star_in_time import LIMIT_S, case_of
 from .star_input import star_way
 from .star_searches import StarSearches
 from .star_times import StarTimes
-from .stars import MOST_SPANS, planned_platoons
+from .stars import planned_platoons
 
 __all__ = ["legal_curve", "legal_frontier"]
 
 Floats = NDArray[np.float64]
 
-SPANS_OF_A_DELAY = MOST_SPANS // 2
-"""Spans of departures that are looked at for one delay of a frontier, with all masters together, as
-long as all delays together have not come to `MOST_SPANS`."""
+CURVE_SPANS = 8_000
+"""Spans of departures that are looked at for a curve before no step of it is proved any more, real
+trips counted too."""
+
+FRONTIER_SPANS = 12_000
+"""Likewise for all delays of a frontier together; after twice as many, longer delays are told what
+shorter ones save."""
+
+DELAY_SHARES = 3
+"""For one delay as many are looked at as are left for so many, if it takes them."""
 
 
 def legal_curve(legal: LegalQuestion, master: int | None) -> DepartureCurve:
@@ -72,7 +79,7 @@ def legal_curve(legal: LegalQuestion, master: int | None) -> DepartureCurve:
     ways = MemberWays(legal, own)
     open_roads = np.full(len(star.members), not legal.has_closings)
     searches = StarSearches(own.times, ways.trips, ways.trips, plain=open_roads)
-    told = steps_of_departure(searches, MOST_SPANS, LIMIT_S)
+    told = steps_of_departure(searches, CURVE_SPANS, LIMIT_S)
     if not told.steps and not told.complete:
         raise ScenarioError(
             f"departure curve: the search ended before any departure of {names[master]} was found; "
@@ -175,13 +182,17 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
     # No window makes company cheaper than none at all does.
     floor = min(question.star(master).bound for master in masters)
     rows: list[tuple[float, float, str, int]] = []
-    left = MOST_SPANS
-    for delay in delays_min:
+    left = FRONTIER_SPANS
+    for place, delay in enumerate(delays_min):
         if rows and rows[-1][0] <= floor * (1 + NO_CHEAPER):
             rows.append(rows[-1])
             continue
-        planned = planned_platoons(legal.delayed(delay * 60.0), min(SPANS_OF_A_DELAY, left))
-        left = max(left - planned.spans, 0)
+        if rows and left < -FRONTIER_SPANS:
+            rows.append((rows[-1][0], floor, *rows[-1][2:]))
+            continue
+        most = DELAY_SHARES * max(left, 0) // (len(delays_min) - place)
+        planned = planned_platoons(legal.delayed(delay * 60.0), min(most, left))
+        left -= planned.spans + TRIP_SPANS * planned.asked
         cost, bound, company = planned.cost, planned.bound, planned.company
         name = "" if planned.master is None else question.ends[planned.master].vehicle
         if rows and rows[-1][0] <= cost:

@@ -21,7 +21,7 @@ from ...driving.limits import Limits
 from .one_driver import fastest, least_late
 from .platoon_record import MASTER, Timetable
 from .road import FREE, IntArray, LegalTrip, Road, joined_roads
-from .star_times import OPEN_S, StarTimes
+from .star_times import OPEN_S, StarTimes, VehicleRules
 
 __all__ = ["RoadTrips", "Together"]
 
@@ -91,7 +91,8 @@ class RoadTrips:
             star.rules.state_at_s, leaves, leaves,
             None if arrival >= OPEN_S else arrival + max(slack, 0), star.monday_s,
         )  # fmt: skip
-        return None if self._moves_weeks(star.rules.limits, leaves, trip, slack) else trip
+        moves = self._moves_weeks(star.rules, road, leaves, trip, slack)
+        return None if moves else trip
 
     def trip(self, member: int, together: Sequence[Together], table: Timetable) -> LegalTrip | None:
         """Return the fastest legal trip of a member that drives with the master.
@@ -125,7 +126,7 @@ class RoadTrips:
             None if window.latest_s >= OPEN_S else latest,
             None if window.arrival_s >= OPEN_S else window.arrival_s + slack, star.monday_s,
         )  # fmt: skip
-        return None if self._moves_weeks(rules.limits, merges, trip, slack) else trip
+        return None if self._moves_weeks(rules, road, merges, trip, slack) else trip
 
     def _is_late(self, member: int, i: int, merges: int, slack: int) -> bool:
         """Tell whether a member cannot be at a node by a moment, whatever follows."""
@@ -255,9 +256,19 @@ class RoadTrips:
         # Some of the driving may lie in either week, and a long day, too.
         return replace(limits, week_s=np.inf, fortnight_s=np.inf, long_days=limits.long_days + 7)
 
-    def _moves_weeks(self, limits: Limits, leaves: int, trip: LegalTrip | None, slack: int) -> bool:
+    def _moves_weeks(
+        self, rules: VehicleRules, road: Road, leaves: int, trip: LegalTrip | None, slack: int
+    ) -> bool:
         """Tell whether a trip that is to hold for a span would move over a Monday in it."""
         if trip is None or slack >= 0:
+            return False
+        limits, state, drive = rules.limits, rules.state, int(road.clock_s.sum())
+        # Where no day is long and all driving together is allowed, weeks do not matter.
+        week = state.driven_this_week_s + state.driven_last_week_s + drive
+        if (
+            state.driven_today_s + drive <= limits.day_s
+            and week <= min(limits.week_s, limits.fortnight_s)
+        ):  # fmt: skip
             return False
         return self._passes_monday(limits, leaves, trip.arrival_s - slack)
 

@@ -20,7 +20,7 @@ from .cut_at_pauses import Driven
 from .legal_question import LegalQuestion
 from .star_in_time import Platooned, case_of, met_on_route, timed_star
 
-__all__ = ["MOST_SPANS", "Planned", "planned_platoons"]
+__all__ = ["Planned", "planned_platoons"]
 
 MOST_SPANS = 16_000
 """Spans of departures that are looked at for all masters together; then the best of each that was
@@ -55,8 +55,8 @@ class Planned:
         Whether a search ran out of time.
     company : int
         How many vehicles drive with the master of the first platoon.
-    spans : int
-        Spans of departures looked at.
+    spans, asked : int
+        Spans of departures looked at, and real trips asked for.
     """
 
     runs: list[list[Run]]
@@ -69,6 +69,7 @@ class Planned:
     unfinished: bool = False
     company: int = 0
     spans: int = 0
+    asked: int = 0
 
 
 def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Planned:
@@ -141,6 +142,7 @@ def _best_star(
         bounds.append(found.timing.bound)
         plan.unfinished |= not found.timing.proved
         plan.spans += found.timing.spans
+        plan.asked += found.timing.asked
         if np.isfinite(found.timing.cost):
             tried.append(MasterTried(star.master, case_of(legal.question), found.timing.cost))
         better = found.timing.cost < least * (1 - (NO_CHEAPER if best is None else 0))
