@@ -37,7 +37,7 @@ from .numbers import (
 )  # fmt: skip
 from .road import FREE, NO_LIMIT, IntArray
 
-__all__ = ["COLUMNS", "HELPERS", "INFO", "search"]
+__all__ = ["COLUMNS", "HELPERS", "INFO", "least_left", "search"]
 
 # Fields of a label.
 TIME, BROKEN, PART, WORKED, TODAY, DUTY, DUTY_MOST, LONG_DAYS, REDUCED_USED = range(9)
@@ -45,8 +45,8 @@ WEEK_DRIVEN, LAST_WEEK, WEEK, WEEKLY_END, GONE, GONE_MOST, BESIDE = range(9, 16)
 OTHER_TODAY, OTHER_LONG_DAYS, OTHER_WEEK, OTHER_LAST_WEEK, DUTY_WEEK = range(16, 21)
 OTHER_BROKEN = 21
 # Long days but today, and when to be here at the latest if all that follows is driving and pauses.
-BEFORE, ENDS = 22, 23
-COLUMNS = 24
+BEFORE, OTHER_BEFORE, ENDS = 22, 23, 24
+COLUMNS = 25
 
 # What is kept of how it came about: its parent, its kind of pause, when it might then leave, and
 # how long it pauses at least.
@@ -62,6 +62,9 @@ MOST_REDUCED, MOST_WEEK, FORTNIGHT, WEEKLY_DUE, BESIDE_LENGTH, CALENDAR, POOLED 
 )
 
 WEEK_S = 604_800
+
+TO_MONDAY = 8
+"""How much less the time without waiting for Monday counts for what is promising."""
 
 FAR = 2**50
 """No time is so long [s]."""
@@ -339,16 +342,22 @@ def _drive(
     return True
 
 
-def _ask_less(a: IntArray, seconds: int, clock: int, latest: int, p: IntArray) -> None:
+def _ask_less(
+    a: IntArray, seconds: int, clock: int, latest: int, moves: bool, p: IntArray
+) -> None:  # fmt: skip
     """Let a label have no more left than it can make use of till the end.
 
     Its `ENDS` less what elapses from a departure or the beginning of a duty period is the latest
-    that this may be moved to: the rest arrives too late.
+    that this may be moved to: the rest arrives too late. A weekly rest that is due before the end
+    begins before it is over by then.
     """
     a[DUTY_MOST] = min(a[DUTY_MOST], a[ENDS] - a[DUTY])
     a[GONE_MOST] = min(a[GONE_MOST], a[ENDS] - a[GONE])
     if p[WEEKLY_DUE] < NO_LIMIT:
-        a[WEEKLY_END] = min(a[WEEKLY_END], latest - p[WEEKLY_DUE])
+        after = latest - p[WEEKLY_DUE]
+        if not moves and a[WEEKLY_END] + p[WEEKLY_DUE] < a[TIME] + latest - a[ENDS]:
+            after -= p[WEEKLY]
+        a[WEEKLY_END] = min(a[WEEKLY_END], after)
     rest = min(p[REDUCED], p[DAILY])
     if p[CHANGE] < NO_LIMIT or rest >= NO_LIMIT or rest == 0:
         return
@@ -386,7 +395,7 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
         return False
     if a[OTHER_TODAY] > b[OTHER_TODAY]:
         return False
-    if a[OTHER_LONG_DAYS] > b[OTHER_LONG_DAYS]:
+    if a[OTHER_BEFORE] > b[OTHER_BEFORE]:
         return False
     if weekly == 1 and a[WEEKLY_END] < b[WEEKLY_END]:
         return False
@@ -405,10 +414,29 @@ def _covers(a: IntArray, b: IntArray, place: bool, late: bool, weeks: int, weekl
     return True
 
 
-def _least_left(
+def least_left(
     a: IntArray, seconds: int, clock: int, p: IntArray, monday: int, weeks: int
 ) -> int:  # fmt: skip
-    """Return how long the rest of a road takes at least, with breaks and rests anywhere on it."""
+    """Return how long the rest of a road takes at least, with breaks and rests anywhere on it.
+
+    Parameters
+    ----------
+    a : int64 array, (COLUMNS,)
+        The label.
+    seconds, clock : int
+        What is left to drive, and what the clock counts of it [s].
+    p : int64 array
+        The limits.
+    monday : int
+        A Monday 0:00 UTC [s].
+    weeks : int
+        1 where driving in a week can matter.
+
+    Returns
+    -------
+    int
+        Its duration [s].
+    """
     rest = min(p[REDUCED], p[DAILY])
     rests = 0
     if rest < NO_LIMIT and p[LONG_DAY] < NO_LIMIT:
@@ -446,6 +474,24 @@ def _least_left(
             # So much is driven after Monday, in as much time if the clock counts all of it.
             bound = max(bound, monday + (week + 1) * WEEK_S - a[TIME] + over)
     return bound
+
+
+def _without_waiting(
+    a: IntArray, seconds: int, clock: int, bound: int, p: IntArray, monday: int, weekly: int,
+    moves: bool,
+) -> int:  # fmt: skip
+    """Return how long the rest of a road takes at least if Mondays are not waited for.
+
+    A weekly rest is needed if the end comes too long after the last, which moves with the departure
+    if that does. It stands for a daily rest or a break.
+    """
+    least = least_left(a, seconds, clock, p, monday, 0)
+    if weekly == 1:
+        left = a[WEEKLY_END] + p[WEEKLY_DUE] - a[TIME]
+        slack = max(0, a[GONE_MOST] - (a[TIME] - a[GONE])) if moves else 0
+        if least > left or bound > left + slack:
+            least += max(0, p[WEEKLY] - max(p[BREAK], min(p[REDUCED], p[DAILY])))
+    return int(least)
 
 
 def _sunday_start(which: int, kind: int, a: IntArray, p: IntArray, monday: int) -> int:
@@ -655,20 +701,26 @@ def search(
                         continue
                     if out[TIME] > due[k + 1]:
                         continue
-                    bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
+                    bound = least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
                     if out[TIME] + bound > latest:
                         continue
                     # Waiting for Monday moves departures, what is driven and paused does not.
-                    if weeks == 1:
-                        bound = _least_left(out, left_s[k + 1], left_clock[k + 1], p, monday, 0)
+                    if weeks == 1 or weekly == 1:
+                        bound = _without_waiting(
+                            out, left_s[k + 1], left_clock[k + 1], bound, p, monday, weekly,
+                            out[WEEKLY_END] > fixed_weekly_end,
+                        )  # fmt: skip
                     ends = latest - bound
+                    if out[TIME] > ends:
+                        continue
                     if late and min(out[GONE_MOST], ends - out[GONE]) < leaves:
                         continue
                     out[ENDS] = ends
                     out[BEFORE] = out[LONG_DAYS] - (out[TODAY] > p[DAY])
+                    out[OTHER_BEFORE] = out[OTHER_LONG_DAYS] - (out[OTHER_TODAY] > p[DAY])
                     at = appointment[k + 1]
                     if at < n:
-                        bound = _least_left(
+                        bound = least_left(
                             out, left_s[k + 1] - left_s[at], left_clock[k + 1] - left_clock[at],
                             p, monday, weeks,
                         )  # fmt: skip
@@ -688,10 +740,18 @@ def search(
             label = order[position]
             b = found[label]
             need[:] = b
-            _ask_less(need, left_s[k + 1], left_clock[k + 1], latest, p)
+            moves = need[WEEKLY_END] > fixed_weekly_end
+            _ask_less(need, left_s[k + 1], left_clock[k + 1], latest, moves, p)
             covered = False
             if dominance:
                 for other in range(first[k + 1], total):
+                    # Most are told apart by these.
+                    if (
+                        kept[other, BROKEN] > need[BROKEN] or kept[other, DUTY] > need[DUTY]
+                        or kept[other, REDUCED_USED] > need[REDUCED_USED]
+                        or kept[other, BEFORE] > need[BEFORE] or kept[other, TODAY] > need[TODAY]
+                    ):  # fmt: skip
+                        continue
                     if _covers(kept[other], need, place, late, weeks, weekly):
                         covered = True
                         break
@@ -711,14 +771,15 @@ def search(
                 a = kept[begin + position]
                 found[position] = a
                 found_info[position] = kept_info[begin + position]
-                bound = _least_left(a, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
-                bounds[position] = bound
-                found[position, TIME] += bound
+                bounds[position] = a[TIME]
+                bound = least_left(a, left_s[k + 1], left_clock[k + 1], p, monday, weeks)
+                # The same Monday is waited for by many: then who would be there first without.
+                found[position, TIME] += bound + (a[TIME] + latest - a[ENDS]) // TO_MONDAY
             _by_time(found, size, order)
             for position in range(width):
                 label = order[position]
                 kept[begin + position] = found[label]
-                kept[begin + position, TIME] -= bounds[label]
+                kept[begin + position, TIME] = bounds[label]
                 kept_info[begin + position] = found_info[label]
             total = begin + width
     first[n + 1] = total
@@ -726,7 +787,7 @@ def search(
 
 
 HELPERS = (
-    allowed, lasts, _change_seats, leave, _drive, _ask_less, _covers_week, _covers, _least_left,
-    _sunday_start, _by_time, _grown,
+    allowed, lasts, _change_seats, leave, _drive, _ask_less, _covers_week, _covers, least_left,
+    _without_waiting, _sunday_start, _by_time, _grown,
 )  # fmt: skip
 """What the search calls: to be made known to the compiler before it."""

@@ -32,6 +32,7 @@ from .label_search import (
     WEEK_S,
     WEEKLY_DUE,
     WEEKLY_END,
+    least_left,
 )  # fmt: skip
 from .numbers import CHANGE, kinds_of, numbers_of
 from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
@@ -43,11 +44,11 @@ __all__ = ["Aim", "farthest", "fastest", "least_late"]
 
 Aim = Literal["arrive", "leave"]
 
-MANY = 40
-"""Hops beyond which, where the driving of a week is too much, only some labels are kept."""
+WEEK_WIDTH = 1000
+"""How many labels of each point are kept where the driving of a week is too much."""
 
-WEEK_WIDTHS = (40, 300)
-"""How many of each point those are, and how many if that finds nothing."""
+FEWER = 300
+"""How many once the arrival is known, and of trips that wait for more than a Monday."""
 
 MANY_TO_SHARE = 8
 """Hops beyond which, where two drivers cannot share the driving of a trip that is the best for both
@@ -61,6 +62,9 @@ WIDTH = 12
 
 OPENINGS = 2
 """Windows that it tries for each pause."""
+
+FIRST_LOOK_S = 900
+"""How long after the least that is known of it an arrival is looked for at first [s]."""
 
 LOOK_BACK = 3
 """How many times its driving time before the arrival a trip's departure is first looked for."""
@@ -214,6 +218,10 @@ def farthest(
     return one.reached(state_at_s, earliest_s, NO_LIMIT if latest_s is None else latest_s)
 
 
+Found = tuple[IntArray, IntArray, IntArray]
+"""The labels of a search, how each came about, and where those of each point begin."""
+
+
 class _Search:
     """The search on one road under one law."""
 
@@ -288,6 +296,7 @@ class _Search:
             self.weeks = 1
             if found is None or self._fits(found, state_at_s):
                 return found
+            return self._best(*asked, found.arrival_s)
         return self._best(*asked)
 
     def _fits(self, trip: LegalTrip, state_at_s: int | None) -> bool:
@@ -329,34 +338,36 @@ class _Search:
 
     def _best(
         self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
-        aim: Aim,
+        aim: Aim, at_least_s: int = 0,
     ) -> LegalTrip | None:  # fmt: skip
-        """Return the best trip that leaves within a span of time."""
+        """Return the best trip that leaves within a span of time; none arrives before a moment."""
+        known = None
         if aim == "arrive":
-            found = self._arrival(state_at_s, earliest_s, latest_s, arrival_s)
-            if found is None:
+            first, labels = self._arrival(state_at_s, earliest_s, latest_s, arrival_s, at_least_s)
+            if first is None:
                 return None
-            arrival_s = found
+            arrival_s = first
+            if labels is not None:
+                known = self._latest_trip(labels, arrival_s, aim)
         assert arrival_s is not None
         if self.road.hops == 0:
             leaves = min(latest_s, arrival_s)
             return LegalTrip(leaves, leaves) if leaves >= earliest_s else None
         start = self._start(state_at_s, earliest_s, latest_s)
-        narrow = self._run(start, arrival_s, late=True, width=WIDTH)
-        known = self._latest_trip(narrow, arrival_s, aim)
+        least = -NO_LIMIT if known is None else known.departure_s
+        narrow = self._run(start, arrival_s, late=True, width=WIDTH, leaves_s=least)
+        known = self._latest_trip(narrow, arrival_s, aim) or known
         if self._is_whole(narrow):
             return known
         least = -NO_LIMIT if known is None else known.departure_s
         every = self._widest(start, arrival_s, late=True, leaves_s=least)
         return self._latest_trip(every, arrival_s, aim) or known
 
-    def _is_whole(self, found: tuple[IntArray, IntArray, IntArray]) -> bool:
+    def _is_whole(self, found: Found) -> bool:
         """Return whether a narrow search has left nothing out."""
         return len(self.windows[1]) == 0 and int(np.diff(found[2][1:]).max()) < WIDTH
 
-    def _latest_trip(
-        self, found: tuple[IntArray, IntArray, IntArray], arrival_s: int, aim: Aim
-    ) -> LegalTrip | None:
+    def _latest_trip(self, found: Found, arrival_s: int, aim: Aim) -> LegalTrip | None:
         """Return the trip of those found that leaves last."""
         labels, info, first = found
         low, high = int(first[-2]), int(first[-1])
@@ -364,7 +375,7 @@ class _Search:
         spare = arrival_s - ends[:, TIME]
         leaves = np.minimum(ends[:, GONE_MOST], ends[:, TIME] - ends[:, GONE] + spare)
         order = np.lexsort((ends[:, GONE], -leaves))
-        for label in order:
+        for label in order[spare[order] >= 0]:
             choice = chosen(labels, info, low + int(label), self.road.hops, arrival_s)
             trip = timed(self.road, choice, self.numbers, arrival_s, aim == "leave")
             if trip is not None:
@@ -377,35 +388,63 @@ class _Search:
         return None if found is None else found.arrival_s
 
     def _arrival(
-        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None
-    ) -> int | None:
+        self, state_at_s: int | None, earliest_s: int, latest_s: int, arrival_s: int | None,
+        at_least_s: int,
+    ) -> tuple[int | None, Found | None]:  # fmt: skip
+        """Return the earliest arrival, and the labels of which one has it."""
         bound = NO_LIMIT if arrival_s is None else arrival_s
         if self.road.hops == 0:
-            return earliest_s if earliest_s <= min(latest_s, bound) else None
+            return (earliest_s if earliest_s <= min(latest_s, bound) else None), None
         latest_s = min(latest_s, bound - int(self.road.drive_s.sum()))
         start = self._start(state_at_s, earliest_s, latest_s)
-        known = False
-        for widest in (False, True):
-            if widest:
-                labels, _, first = self._widest(start, bound, late=False)
-            else:
-                narrow = self._run(start, bound, late=False, width=WIDTH)
-                labels, _, first = narrow
-            low, high = int(first[-2]), int(first[-1])
-            if low < high:
-                bound = min(bound, int(labels[low:high, TIME].min()))
-                known = True
-            if self._is_whole(narrow):
-                break
-        return bound if known else None
+        narrow = self._run(start, bound, late=False, width=WIDTH)
+        found = _first_arrival(narrow)
+        if self._is_whole(narrow):
+            return found, narrow
+        if found is not None:
+            bound = found
+        # Where Monday or the end of a ban is waited for, most of what is in time is not among the
+        # first: look for those alone, and for a little more each time.
+        least, more = max(at_least_s, self._least_arrival(start)), WEEK_S
+        if self.weeks:
+            more = FIRST_LOOK_S
+        elif found is None and len(self.windows[1]):
+            free = _Search(_open(self.road), *self.asked, pooled=self.pooled)
+            free.weeks = 0
+            begin, _ = free._arrival(state_at_s, earliest_s, latest_s, arrival_s, least)
+            if begin is None:
+                return None, narrow
+            least, more = max(least, begin), FIRST_LOOK_S
+        while True:
+            until = least + more if more < WEEK_S else bound
+            few = more >= WEEK_S and bound > least + WEEK_S
+            every = self._widest(start, min(bound, until), late=False, few=few)
+            first = _first_arrival(every)
+            if first is not None:
+                return first, every
+            if until >= bound:
+                return found, narrow
+            more *= 8
+
+    def _least_arrival(self, start: Start) -> int:
+        """Return a moment before which nobody arrives."""
+        left = int(self.road.drive_s.sum()), int(self.road.clock_s.sum())
+        return min(
+            (
+                int(one[TIME]) + least_left(one, *left, self.numbers, self.monday, self.weeks)
+                for one in start.labels
+            ),
+            default=0,
+        )
 
     def _widest(
-        self, start: Start, arrival_s: int, late: bool, leaves_s: int = -NO_LIMIT
-    ) -> tuple[IntArray, IntArray, IntArray]:
+        self, start: Start, arrival_s: int, late: bool, leaves_s: int = -NO_LIMIT,
+        few: bool = False,
+    ) -> Found:  # fmt: skip
         """Run with all labels, or as many as a long road lets one keep."""
         widths: tuple[int, ...] = (0,)
-        if self.weeks and self.road.hops > MANY:
-            widths = WEEK_WIDTHS
+        if self.weeks and self.dominance:
+            widths = (FEWER if late or few else WEEK_WIDTH,)
         elif self.numbers[CHANGE] < NO_LIMIT and not self.pooled and self.road.hops > MANY_TO_SHARE:
             widths = (SHARED_WIDTH,)
         for width in widths:
@@ -438,20 +477,35 @@ class _Search:
 
     def _run(
         self, start: Start, arrival_s: int, late: bool, width: int, leaves_s: int = -NO_LIMIT
-    ) -> tuple[IntArray, IntArray, IntArray]:
+    ) -> Found:
         road = self.road
         first, windows = self.windows
         weekly = self.numbers[WEEKLY_DUE] < NO_LIMIT and (
             len(start.labels) == 0
             or arrival_s - int(start.labels[:, WEEKLY_END].min()) > self.numbers[WEEKLY_DUE]
         )
-        found: tuple[IntArray, IntArray, IntArray] = self.kernel(
+        found: Found = self.kernel(
             road.drive_s, road.clock_s, road.stay_s, road.leave_s, first, windows, self.numbers,
             self.kinds, start.labels, start.info, self.monday, start.fixed_weekly_end_s, arrival_s,
             leaves_s, late, self.weeks, int(weekly), width, OPENINGS if width == WIDTH else 0,
             self.dominance,
         )  # fmt: skip
         return found
+
+
+def _first_arrival(found: Found) -> int | None:
+    """Return the earliest arrival of the labels that a search found."""
+    labels, _, first = found
+    low, high = int(first[-2]), int(first[-1])
+    return int(labels[low:high, TIME].min()) if low < high else None
+
+
+def _open(road: Road) -> Road:
+    """Return a road without bans."""
+    return Road(
+        road.drive_s, road.clock_s, road.stay_s, road.leave_s, np.zeros_like(road.forbidden_first),
+        np.zeros((0, 2), dtype=np.int64),
+    )  # fmt: skip
 
 
 def _stopping(road: Road, trip: LegalTrip) -> Road:
