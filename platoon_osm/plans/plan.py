@@ -20,7 +20,7 @@ from .proof import Proof
 from .records import Event, MasterTried, NetworkIdentity, PlannedTrip, Platoon, Stretch
 from .text_table import named
 from .timetable import Timetable, VehicleTimes
-from .vehicles import VehiclePlan, vehicles_of
+from .vehicles import VehiclePlan, saved_share, vehicles_of
 
 if TYPE_CHECKING:
     import folium
@@ -135,7 +135,7 @@ class Plan:
     @property
     def saving(self) -> float:
         """Share of the total cost saved."""
-        return 1 - self.joint_cost / self.solo_cost if self.solo_cost else 0.0
+        return saved_share(self.joint_cost, self.solo_cost)
 
     @property
     def platoon_m(self) -> float:

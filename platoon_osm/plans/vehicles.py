@@ -8,7 +8,29 @@ from dataclasses import dataclass, replace
 from ..vehicles.profile import Vehicle
 from .records import Event, Leg, PlannedTrip, Platoon, PlatoonPoint, Stop, Stretch
 
-__all__ = ["VehiclePlan", "by_profile", "vehicles_of"]
+__all__ = ["VehiclePlan", "by_profile", "saved_share", "vehicles_of"]
+
+SAME_SHARE = 1e-12
+"""Costs of a way that is cut into stretches differ in their last digits."""
+
+
+def saved_share(cost: float, alone: float) -> float:
+    """Return by what share a cost is below that of driving alone.
+
+    Parameters
+    ----------
+    cost : float
+        As planned.
+    alone : float
+        Of driving alone.
+
+    Returns
+    -------
+    float
+        1 - cost / alone; 0 where they differ by the last digits of sums alone.
+    """
+    share = 1 - cost / alone if alone else 0.0
+    return share if abs(share) > SAME_SHARE else 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +78,7 @@ class VehiclePlan:
     @property
     def saving(self) -> float:
         """Share of the cost alone that the plan saves."""
-        return 1 - self.joint_cost / self.solo_cost if self.solo_cost else 0.0
+        return saved_share(self.joint_cost, self.solo_cost)
 
     @property
     def length_m(self) -> float:
