@@ -57,7 +57,9 @@ def leading(plan: Plan) -> Leading | None:
         return Leading(who)
     least = others[0].cost
     level = least * (1 + SAME)
-    names = tuple(plan.trips[one.vehicle].vehicle for one in others if one.cost <= level)
+    # Whoever was tried along several routes is named once.
+    best = dict.fromkeys(one.vehicle for one in others if one.cost <= level)
+    names = tuple(plan.trips[vehicle].vehicle for vehicle in best)
     if level >= plan.joint_cost >= level * (1 - 3 * SAME):
         return Leading(who, names)
     return Leading(who, names, 1 - least / plan.solo_cost if plan.solo_cost else 0.0)
