@@ -19,7 +19,7 @@ from ...plans.zones import clock_of
 from ..best import ONE_STRETCH
 from ..company.draft import NO_CHEAPER
 from ..question import Question
-from .conditions import MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
+from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
 from .departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
@@ -203,6 +203,7 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
     costs, bounds, names, members = zip(*rows, strict=True)
     least = np.minimum(np.maximum.accumulate(np.array(bounds)[::-1])[::-1], costs)
     stopped = bool((least < costs).any())
+    aim = ALL_TOGETHER if question.problem.optimum == "system" else MEMBERS
     leads = "a master" if fixed is None else f"master {question.ends[fixed].vehicle}"
     return DelayFrontier(
         tuple(item.vehicle for item in question.ends),
@@ -214,6 +215,6 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
         names,
         np.array(members, np.int64),
         (f"{leads} on its own route, {STANDS_FOR_LAW}",
-         *((STOPPED,) if stopped else ()), ONE_STRETCH, MEMBERS, *of_every_plan(question)),
+         *((STOPPED,) if stopped else ()), ONE_STRETCH, aim, *of_every_plan(question)),
         question.problem.rules.name,
     )  # fmt: skip
