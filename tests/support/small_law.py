@@ -35,8 +35,11 @@ class Way:
     closed: tuple = ()
 
 
-def drivable(way, rules, window, slack=0):
-    """Whether a way can be driven: every departure, every whole second of standing."""
+def drivable(way, rules, window, slack=0, monday=None):
+    """Whether a way can be driven: every departure, every whole second of standing.
+
+    With the moment at which the second week begins, driving of both weeks is counted, too.
+    """
     limits, state = rules.limits, rules.state
     late = window.arrival_s + slack
     sure, long_window = limits.window_s + slack, limits.long_window_s + slack
@@ -45,26 +48,45 @@ def drivable(way, rules, window, slack=0):
     start = (
         begin, int(state.driven_since_break_s), int(state.first_part_taken),
         int(state.driven_today_s), duty, state.long_days_used, state.reduced_rests_used,
+        int(state.driven_this_week_s), 0, begin - int(state.since_weekly_rest_s),
     )  # fmt: skip
+    last_week = int(state.driven_last_week_s)
+
+    def new_week(old, new):
+        """Whether a duty period that begins at `new` counts in a later week than one at `old`."""
+        return monday is not None and old < monday <= new
+
+    def in_weeks(leaves, drive, clock, this, after):
+        """Return what is driven of both weeks after a hop."""
+        if monday is None or leaves + drive <= monday:
+            return this + clock, after
+        if leaves >= monday:
+            return this, after + clock
+        before = -(-clock * (monday - leaves) // drive)
+        return this + before, after + clock - clock * (monday - leaves) // drive
 
     def paused(now, leaves, counts):
         """Every way to count a pause."""
-        time, broken, part, today, duty, long_days, reduced = now
+        time, broken, part, today, duty, long_days, reduced, *weeks = now
+        since = begin if duty is None else duty
+        fresh = 0 if new_week(since, leaves) else long_days
         length = min(leaves - time, counts)
-        yield (leaves, broken, part, today, duty, long_days, reduced)
+        yield (leaves, broken, part, today, duty, long_days, reduced, *weeks)
         if limits.parts_s and length >= limits.parts_s[0] and broken > 0:
-            yield (leaves, broken, 1, today, duty, long_days, reduced)
+            yield (leaves, broken, 1, today, duty, long_days, reduced, *weeks)
         if length >= limits.break_s or (limits.parts_s and part and length >= limits.parts_s[1]):
-            yield (leaves, 0, 0, today, duty, long_days, reduced)
+            yield (leaves, 0, 0, today, duty, long_days, reduced, *weeks)
         on_duty = 0 if duty is None else time - duty
         if length >= limits.rest_s and on_duty <= sure:
-            yield (leaves, 0, 0, 0, leaves, long_days, reduced)
+            yield (leaves, 0, 0, 0, leaves, fresh, reduced, *weeks)
         if (
             length >= limits.reduced_rest_s
             and on_duty <= long_window
             and reduced < limits.reduced_rests
         ):
-            yield (leaves, 0, 0, 0, leaves, long_days, reduced + 1)
+            yield (leaves, 0, 0, 0, leaves, fresh, reduced + 1, *weeks)
+        if length >= limits.weekly_rest_s:
+            yield (leaves, 0, 0, 0, leaves, fresh, 0, *weeks[:2], leaves)
 
     left = list(itertools.accumulate(reversed(way.drive), initial=0))[::-1]
     found = {start}
@@ -85,11 +107,21 @@ def drivable(way, rules, window, slack=0):
             for leaves in moments:
                 counts = NO_LIMIT if k == 0 else way.stay[k]
                 for gone in paused(now, leaves, counts):
-                    _, broken, part, today, duty, long_days, reduced = gone
+                    _, broken, part, today, duty, long_days, reduced, *weeks = gone
+                    this, after_it, rested = weeks
                     if duty is None:
                         duty = leaves
+                        long_days = 0 if new_week(begin, leaves) else long_days
+                        rested = rested if state.since_weekly_rest_s else leaves
+                    this, after_it = in_weeks(leaves, way.drive[k], way.clock[k], this, after_it)
+                    if max(this, after_it) > limits.week_s or (
+                        max(last_week + this, this + after_it) > limits.fortnight_s
+                    ):
+                        continue
                     broken, day = broken + way.clock[k], today + way.clock[k]
                     ends = leaves + way.drive[k]
+                    if ends - rested > limits.weekly_after_s:
+                        continue
                     if broken > limits.spell_s or day > limits.long_day_s:
                         continue
                     if day > limits.day_s >= today:
@@ -101,7 +133,8 @@ def drivable(way, rules, window, slack=0):
                     if on_duty > long_window or (on_duty > sure and spent):
                         continue
                     if ends + left[k + 1] <= late:
-                        after.add((ends, broken, part, day, duty, long_days, reduced))
+                        weeks = this, after_it, rested
+                        after.add((ends, broken, part, day, duty, long_days, reduced, *weeks))
         found = after
     return bool(found)
 
@@ -114,6 +147,7 @@ class Drawn:
     approach: list
     onward: list
     alone: list
+    monday: int | None = None
 
     def way(self, member, i, j, table):
         """The joint way of a member."""
@@ -146,7 +180,7 @@ class Drawn:
         rules = star.rules if member < 0 else star.member_rules[member]
         window = star.window if member < 0 else star.windows[member]
         way = self.way(member, i, j, table)
-        if drivable(way, rules, window, table.slack_s):
+        if drivable(way, rules, window, table.slack_s, self.monday):
             return LegalTrip(window.earliest_s, window.arrival_s)
         return None
 
@@ -179,7 +213,7 @@ class Drawn:
             (*leave, *[None] * (len(after[0]) + 1)),
         )  # fmt: skip
         window = star.windows[member]
-        if drivable(way, star.member_rules[member], window):
+        if drivable(way, star.member_rules[member], window, monday=self.monday):
             return LegalTrip(window.earliest_s, window.arrival_s)
         return None
 

@@ -6,8 +6,8 @@ alone along the master's route between two such stretches. With the platoon it s
 that does; at i and j, and on its own ways, it may pause where there are places.
 
 What is asked for a span of departures is answered by one trip whose limits are longer or shorter by
-the span. All that moves with the departure lies between leaving i and the arrival. So driving of a
-week, and the days in it, are the same for the whole span unless a Monday lies between these.
+the span. All that moves with the departure lies between leaving i and the arrival. So what is
+driven in a week is the same for the whole span unless a Monday lies between these.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class RoadTrips:
         road = _road(road.drive_s, road.drive_s, _standing(road.stay_s, table), leave, closed)
         leaves, arrival = int(leave[0]), star.window.arrival_s
         trip = fastest(
-            road, self._limits(star.rules.limits, leaves, arrival, slack), star.rules.state,
+            road, self._limits(star.rules, road, leaves, arrival, slack), star.rules.state,
             star.rules.state_at_s, leaves, leaves,
             None if arrival >= OPEN_S else arrival + max(slack, 0), star.monday_s,
         )  # fmt: skip
@@ -121,7 +121,7 @@ class RoadTrips:
         if road.leave_s[0] != FREE:
             latest += slack  # it leaves its origin with the platoon, for all of the span
         trip = fastest(
-            road, self._limits(rules.limits, merges, window.arrival_s, slack), rules.state,
+            road, self._limits(rules, road, merges, window.arrival_s, slack), rules.state,
             rules.state_at_s, self._earliest(member, together[0][0], merges),
             None if window.latest_s >= OPEN_S else latest,
             None if window.arrival_s >= OPEN_S else window.arrival_s + slack, star.monday_s,
@@ -241,8 +241,11 @@ class RoadTrips:
             drive, drive, road.stay_s[low : high + 1], np.full(high - low + 1, FREE), closed
         )
 
-    def _limits(self, limits: Limits, leaves: int, arrival: int, slack: int) -> Limits:
+    def _limits(
+        self, rules: VehicleRules, road: Road, leaves: int, arrival: int, slack: int
+    ) -> Limits:
         """Return limits for a span of departures, by when i is left and the latest arrival."""
+        limits = rules.limits
         if not slack:
             return limits
         limits = replace(
@@ -251,7 +254,7 @@ class RoadTrips:
             long_window_s=max(0.0, limits.long_window_s + slack),
             weekly_after_s=max(0.0, limits.weekly_after_s + slack),
         )
-        if slack < 0 or not self._passes_monday(limits, leaves - slack, arrival + slack):
+        if slack < 0 or not self._over_monday(rules, road, leaves - slack, arrival + slack):
             return limits
         # Some of the driving may lie in either week, and a long day, too.
         return replace(limits, week_s=np.inf, fortnight_s=np.inf, long_days=limits.long_days + 7)
@@ -259,24 +262,25 @@ class RoadTrips:
     def _moves_weeks(
         self, rules: VehicleRules, road: Road, leaves: int, trip: LegalTrip | None, slack: int
     ) -> bool:
-        """Tell whether a trip that is to hold for a span would move over a Monday in it."""
+        """Tell whether a trip that is to hold for a span might be too much for a week in it."""
         if trip is None or slack >= 0:
             return False
-        limits, state, drive = rules.limits, rules.state, int(road.clock_s.sum())
-        # Where no day is long and all driving together is allowed, weeks do not matter.
-        week = state.driven_this_week_s + state.driven_last_week_s + drive
-        if (
-            state.driven_today_s + drive <= limits.day_s
-            and week <= min(limits.week_s, limits.fortnight_s)
-        ):  # fmt: skip
-            return False
-        return self._passes_monday(limits, leaves, trip.arrival_s - slack)
+        return self._over_monday(rules, road, leaves, trip.arrival_s - slack)
 
-    def _passes_monday(self, limits: Limits, begin: int, end: int) -> bool:
-        """Tell whether a week that counts by the calendar begins between two moments."""
+    def _over_monday(self, rules: VehicleRules, road: Road, begin: int, end: int) -> bool:
+        """Tell whether driving that moves over a Monday between two moments may be too much there.
+
+        Who leaves later drives less before it and more after it: no more than in all, and on no
+        more long days.
+        """
+        limits, monday = rules.limits, self.star.monday_s
         if not limits.calendar_weeks or not np.isfinite(limits.day_s):
             return False
-        monday = self.star.monday_s
+        total = float(road.clock_s.sum())
+        long_days = (rules.state.driven_today_s + total) / limits.day_s
+        most = limits.week_s / (2 if limits.change_s else 1)
+        if total <= min(most, limits.fortnight_s) and long_days <= limits.long_days + 1:
+            return False
         return end >= OPEN_S or (begin - monday) // WEEK_S != (end - monday) // WEEK_S
 
 
