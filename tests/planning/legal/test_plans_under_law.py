@@ -114,6 +114,18 @@ def test_whole_seconds_make_nobody_late_for_company(net, way):
     assert not inspect_plan(plan)
 
 
+def test_platoons_of_one_and_of_two_drivers(net):
+    """Masters and members of either kind, with driving behind them."""
+    driven = {"driven_since_break_h": 3, "driven_today_h": 3}
+    trips = [
+        to_napoli(name, driver={"drivers": 1 + k % 2, **driven}) for k, name in enumerate(NAPOLI)
+    ]
+    plan = planned(net, trips, patience_min=120)
+    assert plan.joint_cost < 0.95 * plan.solo_cost
+    assert [len(one.drivers) for one in plan.timetable.vehicles] == [1, 2, 1, 2]
+    assert not inspect_plan(plan)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_random_plans_break_nothing(net, seed):
     rng = np.random.default_rng(seed)
