@@ -44,6 +44,10 @@ __all__ = ["Aim", "farthest", "fastest", "least_late"]
 
 Aim = Literal["arrive", "leave"]
 
+MOST_WIDTH = 1500
+"""How many labels of each point are kept at most, the most promising, lest a search runs for
+minutes."""
+
 WEEK_WIDTH = 1000
 """How many labels of each point are kept where the driving of a week is too much."""
 
@@ -442,7 +446,7 @@ class _Search:
         few: bool = False,
     ) -> Found:  # fmt: skip
         """Run with all labels, or as many as a long road lets one keep."""
-        widths: tuple[int, ...] = (0,)
+        widths: tuple[int, ...] = (MOST_WIDTH if self.dominance else 0,)
         if self.weeks and self.dominance:
             widths = (FEWER if late or few else WEEK_WIDTH,)
         elif self.numbers[CHANGE] < NO_LIMIT and not self.pooled and self.road.hops > MANY_TO_SHARE:
