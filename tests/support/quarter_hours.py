@@ -123,12 +123,17 @@ def small(rules):
     return VehicleRules(limits, replace(state, **times), int(quarters(rules.state_at_s)))
 
 
-def oracle(problem):
-    """Return the master's star of a problem, in quarters, and the real ways of its members."""
+def asked_of(problem):
+    """Return a problem's question with its law, and the ways of its master's star."""
     asked = Asked.of(problem).question
     legal = LegalQuestion(asked, [problem.vehicle_of(trip) for trip in problem.trips])
-    own = star_way(legal, asked.star(0), "C")
-    ways, star = MemberWays(legal, own), own.times
+    return legal, MemberWays(legal, star_way(legal, asked.star(0), "C"))
+
+
+def oracle(problem):
+    """Return the master's star of a problem, in quarters, and the real ways of its members."""
+    _, ways = asked_of(problem)
+    star = ways.own.times
 
     def road(one):
         return road_of(quarters(one.drive_s), one.stay_s)

@@ -77,8 +77,7 @@ def legal_curve(legal: LegalQuestion, master: int | None) -> DepartureCurve:
     star = question.star(master)
     own = star_way(legal, star, case_of(question))
     ways = MemberWays(legal, own)
-    open_roads = np.full(len(star.members), not legal.has_closings)
-    searches = StarSearches(own.times, ways.trips, ways.trips, plain=open_roads)
+    searches = StarSearches(own.times, ways.trips, ways.trips, plain=ways.open())
     told = steps_of_departure(searches, CURVE_SPANS, LIMIT_S)
     if not told.steps and not told.complete:
         raise ScenarioError(

@@ -7,7 +7,7 @@ legal trip alone, breaks and rests included, in place of the driving time.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
@@ -122,6 +122,7 @@ class LegalQuestion:
             )
             for trip, asked in zip(problem.trips, self._asked, strict=True)
         )  # fmt: skip
+        self._open: dict[tuple[Vehicle, int], bool] = {}
         moments = [at for one in named for at in one.values()]
         self._about = min(moments) - DAY_S, max(moments) + 2 * DAY_S
         self._hours = RoadHours(
@@ -303,6 +304,7 @@ class LegalQuestion:
 
         found = copy(self)
         found.__dict__.pop("has_closings", None)
+        found._open = {}
         found.__dict__["spans"] = tuple(
             span(asked, own.trip) for asked, own in zip(self._asked, self.alone, strict=True)
         )
@@ -311,15 +313,35 @@ class LegalQuestion:
     @cached_property
     def has_closings(self) -> bool:
         """Whether a road of somebody's way is closed at some hour that matters."""
+        return any(self._matters(own.way.road.forbidden_s.tolist()) for own in self.alone)
+
+    def is_open(self, index: int, edge: int) -> bool:
+        """Tell whether an edge is never closed to a vehicle at an hour that matters.
+
+        Parameters
+        ----------
+        index : int
+            The vehicle's position.
+        edge : int
+            An edge of the network with places.
+
+        Returns
+        -------
+        bool
+            Whether nobody has to wait for it.
+        """
+        key = self.vehicles[index], edge
+        if key not in self._open:
+            self._open[key] = not self._matters(self.closed(index, edge))
+        return self._open[key]
+
+    def _matters(self, closed: Iterable[Sequence[float]]) -> bool:
+        """Tell whether any of some intervals lies where vehicles may drive."""
         spans = self.spans
         low, high = self._about
         begin = min(low if one.earliest_s == -OPEN_S else one.earliest_s for one in spans)
         end = max(high if one.arrival_s == OPEN_S else one.arrival_s for one in spans)
-        return any(
-            first < end and last > begin
-            for own in self.alone
-            for first, last in own.way.road.forbidden_s.tolist()
-        )
+        return any(first < end and last > begin for first, last in closed)
 
 
 def _up(at: float | None) -> float | None:

@@ -22,6 +22,7 @@ from .way_points import WayPoints, joined, part_of_way
 __all__ = ["MemberWays"]
 
 Edges = NDArray[np.int64]
+Marks = NDArray[np.bool_]
 
 
 class MemberWays:
@@ -137,6 +138,29 @@ class MemberWays:
             some = self.legal.way(star.members[row], star.route[start:end])
             self._alone[row, start, end] = some
         return self._alone[row, start, end]
+
+    def open(self) -> Marks:
+        """Return which members have no closed roads on any of their own ways.
+
+        Returns
+        -------
+        ndarray of bool, (M,)
+            As far as anybody drives there at such hours.
+        """
+        star, times = self.own.star, self.own.times
+        found = np.full(len(star.members), not self.legal.has_closings)
+        for row, member in enumerate(star.members):
+            ends, trees = self.legal.question.ends[member], self.legal.question.trees[member]
+            for root, costs, forward in (
+                (ends.origin, times.entry, True), (ends.destination, times.leave, False)
+            ):  # fmt: skip
+                if not found[row]:
+                    break
+                tree = trees.tree(root, forward)
+                nodes = star.nodes[np.isfinite(costs[row])].tolist()
+                edges = {int(edge) for node in nodes for edge in tree.path(node)}
+                found[row] = all(self.legal.is_open(member, edge) for edge in edges)
+        return found
 
     def runs(self, together: Sequence[Sequence[Together]]) -> list[list[Run]]:
         """Return who drives what with whom.

@@ -184,9 +184,8 @@ def _searched(
 ) -> Platooned:
     own = star_way(legal, star, case_of(legal.question), among, price)
     ways = MemberWays(legal, own)
-    open_roads = np.full(len(star.members), not legal.has_closings)
     timing = search_platoon(
-        own.times, ways.trips, LIMIT_S, most_spans=most_spans, roads=ways.trips, plain=open_roads,
+        own.times, ways.trips, LIMIT_S, most_spans=most_spans, roads=ways.trips, plain=ways.open(),
         again=_again(legal, ways) if case_of(legal.question) == "C" else None,
     )  # fmt: skip
     together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [

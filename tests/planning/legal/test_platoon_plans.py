@@ -1,7 +1,11 @@
 """Plans under the law of the Union, end to end, against every quarter of an hour of standing."""
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
-from quarter_hours import least, needed, oracle, question
+from quarter_hours import asked_of, least, needed, oracle, question
+from roads_with_hours import in_country
 from soak import chosen, soaked
 
 from platoon_osm import inspect_plan, plan_joint
@@ -39,3 +43,37 @@ def test_no_stops_and_no_departure_of_the_master_are_cheaper(seed):
 def test_some_of_them_meet():
     """Else the comparison above would compare nothing."""
     assert sum(met) >= LEAST_MET or not met
+
+
+def test_a_road_that_only_leads_to_company_may_be_closed():
+    """No way alone is, so it is the ways to the platoon and from it that tell."""
+    looked = 0
+    for seed in range(40):
+        problem = question(seed)
+        try:
+            legal, ways = asked_of(problem)
+        except NoLegalTripError:
+            continue
+        assert ways.open().all() != legal.has_closings
+        alone = {int(edge) for route in legal.question.alone for edge in route}
+        star = ways.own.star
+        ramps = [
+            (row, int(edge))
+            for row in range(len(star.members))
+            for node in np.flatnonzero(np.isfinite(ways.own.times.entry[row])).tolist()
+            for edge in ways.approach(row, node)[0]
+            if int(edge) not in alone
+        ]
+        if not ramps:
+            continue
+        row, edge = ramps[0]
+        hours = {edge: {"hgv:conditional": "no @ (00:00-24:00)"}}
+        shut = replace(problem, net=in_country(problem.net, "", hours))
+        legal, ways = asked_of(shut)
+        assert not legal.has_closings
+        assert not ways.open()[row]
+        assert not inspect_plan(plan_joint(shut))
+        looked += 1
+        if looked == 3:
+            return
+    raise AssertionError("no draw has such a road")
