@@ -7,7 +7,7 @@ from ..question import Question
 
 __all__ = ["ALL_TOGETHER", "MEMBERS", "STANDS_FOR_LAW", "STOPPED", "of_every_plan"]
 
-STANDS_FOR_LAW = "which stands for its breaks and rests alone"
+STANDS_FOR_LAW = "which stands for its breaks and rests alone, once more than it needs at most"
 WHOLE_SECONDS = "times in whole seconds"
 MEMBERS = "members pay least in all, and what masters gain is counted then"
 ALL_TOGETHER = "members and master pay least in all"
