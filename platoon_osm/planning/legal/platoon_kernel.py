@@ -250,6 +250,10 @@ def evaluate(
                 break
         if throughout or not bound[c] < np.inf:
             continue
+        if not bound[c] < most:
+            # Nobody was left to be charged.
+            bound[c] = np.inf
+            continue
         low, high = 0, cells - 1
         while not total[low] < most:
             low += 1

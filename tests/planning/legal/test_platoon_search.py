@@ -219,6 +219,17 @@ def certain_costs(search, rows, span):
     return found
 
 
+def test_a_span_in_which_nobody_is_left_to_be_charged_has_an_end():
+    one = drawn(0, members=2)
+    search = a_search(one, np.isfinite(everything(one)[1]))
+    nobody = np.zeros(0, np.int64)
+    for length in (1, 5, 400):
+        span = ((), None, 0, length)
+        assert search.values.of(nobody, [span], most=0.0).bound[0] == math.inf
+        found = search.values.of(nobody, [span], most=1.0)
+        assert (found.bound[0], found.begin[0], found.end[0]) == (0.0, 0, length)
+
+
 def test_when_the_time_is_over_the_bound_holds():
     for seed in range(12):
         one = drawn(seed, members=3)
