@@ -17,7 +17,7 @@ from .records import Line
 from .standing import rested_s, standing, waited_s
 from .text_table import MOST_ROWS, listed, named, table_lines, width_of
 from .timetable import Timetable, VehicleTimes
-from .vehicles import VehiclePlan, by_profile
+from .vehicles import VehiclePlan, by_profile, saved_share
 
 __all__ = ["kilometre_equivalents", "summary"]
 
@@ -108,7 +108,7 @@ def _numbers(plan: Plan, vehicles: Sequence[VehiclePlan]) -> list[str]:
     return [
         kilometre_equivalents(plan, alone),
         kilometre_equivalents(plan, joint),
-        f"{1 - joint / alone if alone else 0.0:.1%}",
+        f"{saved_share(joint, alone):.1%}",
         f"{sum(one.length_m for one in vehicles) / 1000:,.0f}",
         f"{sum(one.fuel_l for one in vehicles):,.0f}",
         f"{sum(one.time_s for one in vehicles) / 3600:,.1f}",

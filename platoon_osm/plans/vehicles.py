@@ -10,7 +10,7 @@ from .records import Event, Leg, PlannedTrip, Platoon, PlatoonPoint, Stop, Stret
 
 __all__ = ["VehiclePlan", "by_profile", "saved_share", "vehicles_of"]
 
-SAME_SHARE = 1e-12
+SAME_SHARE = 1e-9
 """Costs of a way that is cut into stretches differ in their last digits."""
 
 

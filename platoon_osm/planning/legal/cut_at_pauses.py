@@ -8,7 +8,7 @@ before a leg: what the timetable's programme needs.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ...driving.limits import Limits
 from ...network.placed import PlacedNetwork, network_below
 from ...network.road_network import RoadNetwork
-from ...plans.pauses import DriverDay
+from ...plans.pauses import PURPOSES, DriverDay
 from ...plans.plan import Plan
 from ...plans.stretches import Run
 from ..timing.days import Day, Duty, Stand
@@ -123,6 +123,16 @@ def _told(trip: LegalTrip) -> list[PlannedPause]:
     return [pause for pause in trip.pauses if pause.purposes != ("company",)]
 
 
+def _told_of_bans(one: Driven, pause: PlannedPause) -> PlannedPause:
+    """Return a pause that says so if it is prolonged for the road to be open again."""
+    asked_s = pause.start_s + _least_s(pause, one.rules.limits)
+    closed = () if "ban" in pause.purposes else one.way.road.forbidden(pause.point).tolist()
+    if not any(asked_s < end <= pause.end_s and begin < pause.end_s for begin, end in closed):
+        return pause
+    purposes = tuple(sorted({*pause.purposes, "ban"}, key=PURPOSES.index))
+    return replace(pause, purposes=purposes)
+
+
 Located = tuple[int, Place | None]
 """Before which stretch of a way, or where within it."""
 
@@ -158,7 +168,7 @@ def _place(net: RoadNetwork, edges: Sequence[int], at: int, share: float) -> Pla
 def _day(one: Driven, legs: Sequence[int], count: int, begins: Sequence[int]) -> Day:
     rules, trip = one.rules, one.trip
     limits = rules.limits
-    pauses = _told(trip)
+    pauses = [_told_of_bans(one, pause) for pause in _told(trip)]
     stands = tuple(
         Stand(
             leg,

@@ -25,10 +25,17 @@ from .platoon_real import Together
 from .platoon_record import PlatoonTiming
 from .platoon_search import search_platoon
 from .star_input import star_way
+from .star_times import StarTimes
 
-__all__ = ["LIMIT_S", "Platooned", "case_of", "met_on_route", "timed_star"]
+__all__ = ["LIMIT_S", "Platooned", "case_of", "closing_lengths", "met_on_route", "timed_star"]
 
 Floats = NDArray[np.float64]
+
+LONGEST_S = 7 * 86_400
+"""A window that is open ends so long after it begins, as far as closings are looked at [s]."""
+
+BESIDE_S = (0, 1800)
+"""How much longer than a closing pauses for it are [s]."""
 
 LIMIT_S = 60.0
 """No search for one master lasts longer, on however slow a machine [s]."""
@@ -187,11 +194,37 @@ def _searched(
     timing = search_platoon(
         own.times, ways.trips, LIMIT_S, most_spans=most_spans, roads=ways.trips, plain=ways.open(),
         again=_again(legal, ways) if case_of(legal.question) == "C" else None,
+        lengths=closing_lengths(own.times),
     )  # fmt: skip
     together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
         () for _ in star.members
     ]
     return Platooned(star, timing, ways, together)
+
+
+def closing_lengths(times: StarTimes) -> tuple[int, ...]:
+    """Return how long a master may have to stand for its road to be open again.
+
+    Parameters
+    ----------
+    times : StarTimes
+        A master and its members.
+
+    Returns
+    -------
+    tuple of int
+        Of the closings on its way that the master may meet, the longest one that a pause of the
+        law does not outlast, and a little more, for there is a place only now and then [s].
+    """
+    road, window, limits = times.road, times.window, times.rules.limits
+    first = max(window.earliest_s, window.arrival_s - LONGEST_S)
+    last = min(window.arrival_s, window.earliest_s + LONGEST_S)
+    lasts = [
+        int(end - begin) for begin, end in road.forbidden_s.tolist() if end > first and begin < last
+    ]
+    longest = max(lasts, default=0)
+    known = max((one for one in (limits.break_s, limits.rest_s) if one < LONGEST_S), default=0.0)
+    return tuple(longest + more for more in BESIDE_S) if longest > known else ()
 
 
 def _again(legal: LegalQuestion, ways: MemberWays) -> Again:
