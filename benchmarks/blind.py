@@ -22,9 +22,9 @@ import numpy as np
 
 from benchmarks.legal_stars import HOUR, made_star
 from platoon_osm.driving.limits import UNLIMITED
-from platoon_osm.planning.legal.platoon_record import PlatoonTiming
-from platoon_osm.planning.legal.platoon_search import search_platoon
-from platoon_osm.planning.legal.star_times import Span, StarTimes
+from platoon_osm.planning.legal.platoon.record import PlatoonTiming
+from platoon_osm.planning.legal.platoon.search import search_platoon
+from platoon_osm.planning.legal.platoon.star_times import Span, StarTimes
 from platoon_osm.planning.legal.warmth import warm_up
 
 DRAWS = 200

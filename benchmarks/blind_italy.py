@@ -26,10 +26,10 @@ from platoon_osm import Trip, load_network, paper_weights
 from platoon_osm.planning.asked import Asked
 from platoon_osm.planning.legal.legal_question import LegalQuestion
 from platoon_osm.planning.legal.member_ways import MemberWays
-from platoon_osm.planning.legal.platoon_record import PlatoonTiming
-from platoon_osm.planning.legal.platoon_search import search_platoon
+from platoon_osm.planning.legal.platoon.record import PlatoonTiming
+from platoon_osm.planning.legal.platoon.search import search_platoon
+from platoon_osm.planning.legal.platoon.star_times import StarTimes
 from platoon_osm.planning.legal.star_input import star_way
-from platoon_osm.planning.legal.star_times import StarTimes
 from platoon_osm.planning.legal.warmth import warm_up
 from platoon_osm.planning.problem import Problem
 

@@ -12,7 +12,7 @@ import sys
 import time
 
 from benchmarks.legal_stars import made_star, made_trips
-from platoon_osm.planning.legal.platoon_search import search_platoon
+from platoon_osm.planning.legal.platoon.search import search_platoon
 from platoon_osm.planning.legal.warmth import warm_up
 
 CASES = (

@@ -12,9 +12,9 @@ import numpy as np
 
 from platoon_osm.driving.eu561 import EU561
 from platoon_osm.driving.state import DriverState
-from platoon_osm.planning.legal.platoon_real import RoadTrips
-from platoon_osm.planning.legal.road import NO_LIMIT, Road, road_of
-from platoon_osm.planning.legal.star_times import Span, StarTimes, VehicleRules
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, Road, road_of
+from platoon_osm.planning.legal.platoon.real import RoadTrips
+from platoon_osm.planning.legal.platoon.star_times import Span, StarTimes, VehicleRules
 
 KMH = 80.0
 MINUTE = 60

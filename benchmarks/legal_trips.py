@@ -16,8 +16,8 @@ from platoon_osm.driving.eu561 import EU561, EU561_TEAM
 from platoon_osm.driving.limits import Limits
 from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.driving.us395 import US395
-from platoon_osm.planning.legal.one_driver import fastest
-from platoon_osm.planning.legal.road import NO_LIMIT, Road, road_of
+from platoon_osm.planning.legal.driver.one_driver import fastest
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, Road, road_of
 from platoon_osm.planning.legal.warmth import warm_up
 
 SPEED_KM_H = 80.0

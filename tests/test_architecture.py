@@ -26,6 +26,7 @@ WALLS = {
     "costs": ("tolls",),
     "driving": ("bans",),
     "planning": ("timing", "company", "legal", "scenario"),
+    "planning/legal": ("driver", "platoon"),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",
         "sheets",

@@ -8,7 +8,7 @@ labels that cover others, nor of slack.
 from dataclasses import dataclass, replace
 from math import inf
 
-from platoon_osm.planning.legal.road import FREE
+from platoon_osm.planning.legal.driver.road import FREE
 
 WEEK = 7 * 24 * 3600
 

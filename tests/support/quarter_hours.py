@@ -17,12 +17,12 @@ from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.driving.state import DriverState
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.asked import Asked
+from platoon_osm.planning.legal.driver.road import FREE, road_of
 from platoon_osm.planning.legal.legal_question import LegalQuestion
 from platoon_osm.planning.legal.member_ways import MemberWays
-from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
-from platoon_osm.planning.legal.road import FREE, road_of
+from platoon_osm.planning.legal.platoon.record import MASTER, Timetable
+from platoon_osm.planning.legal.platoon.star_times import NEVER_S, OPEN_S, Span, VehicleRules
 from platoon_osm.planning.legal.star_input import star_way
-from platoon_osm.planning.legal.star_times import NEVER_S, OPEN_S, Span, VehicleRules
 from platoon_osm.planning.problem import Problem
 
 QUARTER = 900

@@ -11,8 +11,8 @@ import numpy as np
 
 from platoon_osm.driving.limits import Limits
 from platoon_osm.driving.state import DriverState
-from platoon_osm.planning.legal.road import NO_LIMIT, LegalTrip, road_of
-from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, VehicleRules
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, LegalTrip, road_of
+from platoon_osm.planning.legal.platoon.star_times import NEVER_S, Span, StarTimes, VehicleRules
 
 SMALL = Limits(
     spell_s=6, break_s=3, parts_s=(1, 2), day_s=11, long_day_s=13, long_days=1, rest_s=9,

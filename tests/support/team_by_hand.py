@@ -7,7 +7,7 @@ side. Nothing here knows of labels that cover others, of pooled driving, nor of 
 
 from dataclasses import dataclass, replace
 
-from platoon_osm.planning.legal.road import FREE
+from platoon_osm.planning.legal.driver.road import FREE
 
 WEEK = 7 * 24 * 3600
 

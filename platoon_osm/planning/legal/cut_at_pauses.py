@@ -23,8 +23,8 @@ from ...plans.stretches import Run
 from ..timing.days import Day, Duty, Stand
 from ..timing.stops import Place, cut_plan
 from ..writing import driven_runs
-from .road import LegalTrip, PlannedPause
-from .star_times import VehicleRules
+from .driver.road import LegalTrip, PlannedPause
+from .platoon.star_times import VehicleRules
 from .way_points import WayPoints
 
 __all__ = ["CutPlan", "Driven", "plan_with_days"]

@@ -20,14 +20,14 @@ from ..best import ONE_STRETCH
 from ..company.draft import NO_CHEAPER
 from ..question import Question
 from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
-from .departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
-from .platoon_search import cost_of, gained
+from .platoon.departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
+from .platoon.search import cost_of, gained
+from .platoon.star_searches import StarSearches
+from .platoon.star_times import StarTimes
 from .star_in_time import LIMIT_S, case_of
 from .star_input import star_way
-from .star_searches import StarSearches
-from .star_times import StarTimes
 from .stars import planned_platoons
 
 __all__ = ["legal_curve", "legal_frontier"]

@@ -27,9 +27,9 @@ from ..quick_alone import quicker_ways
 from ..timing.forbidden import Interval
 from ..timing.limits import Window, first_named, windows_of
 from ..timing.road_hours import RoadHours
-from .one_driver import fastest
-from .road import LegalTrip
-from .star_times import OPEN_S, Span, VehicleRules
+from .driver.one_driver import fastest
+from .driver.road import LegalTrip
+from .platoon.star_times import OPEN_S, Span, VehicleRules
 from .way_points import WayPoints, way_points
 
 __all__ = ["LegalQuestion", "TripAlone"]

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from ...plans.stretches import Run, runs_alone, runs_along
 from .legal_question import LegalQuestion
-from .platoon_real import RoadTrips, Together
-from .platoon_record import Timetable
+from .platoon.real import RoadTrips, Together
+from .platoon.record import Timetable
 from .star_input import StarWay
 from .way_points import WayPoints, joined, part_of_way
 

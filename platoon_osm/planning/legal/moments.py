@@ -12,8 +12,8 @@ from ...plans.zones import clock_of
 from ..timing.days import Day, pauses_of
 from ..timing.limits import Window
 from .cut_at_pauses import Driven
+from .driver.road import FREE
 from .legal_question import LegalQuestion
-from .road import FREE
 
 __all__ = ["left_at", "table_of_moments"]
 

@@ -20,12 +20,12 @@ from ..question import Question
 from ..star import Star
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
-from .platoon_again import Again
-from .platoon_real import Together
-from .platoon_record import PlatoonTiming
-from .platoon_search import search_platoon
+from .platoon.again import Again
+from .platoon.real import Together
+from .platoon.record import PlatoonTiming
+from .platoon.search import search_platoon
+from .platoon.star_times import StarTimes
 from .star_input import star_way
-from .star_times import StarTimes
 
 __all__ = ["LIMIT_S", "Platooned", "case_of", "closing_lengths", "met_on_route", "timed_star"]
 

@@ -13,7 +13,7 @@ from ..cases import Case, running_sum, within_case
 from ..star import Star
 from ..timing.approach_times import times_along
 from .legal_question import LegalQuestion
-from .star_times import NEVER_S, StarTimes
+from .platoon.star_times import NEVER_S, StarTimes
 from .way_points import WayPoints
 
 __all__ = ["StarWay", "star_way"]

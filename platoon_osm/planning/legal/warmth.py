@@ -8,13 +8,13 @@ import numpy as np
 
 from ...driving.eu561 import EU561
 from ...driving.state import RESTED
-from .kernel import LABELS
-from .one_driver import fastest
-from .platoon_compiled import KERNELS
-from .platoon_real import RoadTrips
-from .platoon_search import search_platoon
-from .road import NO_LIMIT, Road, road_of
-from .star_times import Span, StarTimes, VehicleRules
+from .driver.kernel import LABELS
+from .driver.one_driver import fastest
+from .driver.road import NO_LIMIT, Road, road_of
+from .platoon.compiled import KERNELS
+from .platoon.real import RoadTrips
+from .platoon.search import search_platoon
+from .platoon.star_times import Span, StarTimes, VehicleRules
 
 __all__ = ["warm_up"]
 

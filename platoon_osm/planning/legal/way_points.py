@@ -22,7 +22,7 @@ from ...plans.pauses import PausePlace
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 from ..timing.forbidden import Interval, Section, forbidden_starts
-from .road import NO_LIMIT, Road, joined_roads, road_of
+from .driver.road import NO_LIMIT, Road, joined_roads, road_of
 
 __all__ = ["NEAR_S", "Closed", "WayPoint", "WayPoints", "joined", "part_of_way", "way_points"]
 

@@ -9,8 +9,8 @@ from ...driving.rules import DrivingRules, limits_of
 from ...errors import ScenarioError
 from ...plans.clock import late_by
 from ...plans.lateness import WAY_OUT
+from .driver.why_not import why_not
 from .legal_question import LegalQuestion
-from .why_not import why_not
 
 __all__ = ["what_would_do"]
 

@@ -8,10 +8,10 @@ import pytest
 from small_law import NO_PARTS, all_stops, drawn
 from test_platoon_search import KINDS, cheapest
 
-from platoon_osm.planning.legal import departure_steps, platoon_kernel, platoon_spans
-from platoon_osm.planning.legal.departure_steps import steps_of_departure
-from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
-from platoon_osm.planning.legal.star_searches import StarSearches, departures_of
+from platoon_osm.planning.legal.platoon import departure_steps, kernel, spans
+from platoon_osm.planning.legal.platoon.departure_steps import steps_of_departure
+from platoon_osm.planning.legal.platoon.record import MASTER, Timetable
+from platoon_osm.planning.legal.platoon.star_searches import StarSearches, departures_of
 
 FREELY = 10**9
 
@@ -19,8 +19,8 @@ FREELY = 10**9
 @pytest.fixture(autouse=True)
 def short_spans(monkeypatch):
     """Let spans of a few seconds be split, too, and be cut into few cells."""
-    monkeypatch.setattr(platoon_spans, "SPLIT_S", 3)
-    monkeypatch.setattr(platoon_kernel, "CELLS", 3)
+    monkeypatch.setattr(spans, "SPLIT_S", 3)
+    monkeypatch.setattr(kernel, "CELLS", 3)
 
 
 def by_departure(one, rests=0):

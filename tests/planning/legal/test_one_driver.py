@@ -12,10 +12,10 @@ from platoon_osm.driving.limits import UNLIMITED, Limits
 from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.driving.us395 import US395
 from platoon_osm.errors import ScenarioError
-from platoon_osm.planning.legal.kernel import LABELS
-from platoon_osm.planning.legal.label_search import search
-from platoon_osm.planning.legal.one_driver import fastest, least_late
-from platoon_osm.planning.legal.road import FREE, NO_LIMIT, road_of
+from platoon_osm.planning.legal.driver.kernel import LABELS
+from platoon_osm.planning.legal.driver.label_search import search
+from platoon_osm.planning.legal.driver.one_driver import fastest, least_late
+from platoon_osm.planning.legal.driver.road import FREE, NO_LIMIT, road_of
 
 MIN, H = 60, 3600
 STEP = 600
@@ -344,6 +344,7 @@ def test_compiled_and_plain_searches_agree(monkeypatch):
         road = parked([rng.randint(600, 2400) for _ in range(30)])
         asked = (road, EU561, DriverState(driven_since_break_s=H, driven_today_s=H), 0, 0)
         found = fastest(*asked)
-        monkeypatch.setattr("platoon_osm.planning.legal.one_driver.label_search", lambda _: search)
+        used = "platoon_osm.planning.legal.driver.one_driver.label_search"
+        monkeypatch.setattr(used, lambda _: search)
         assert fastest(*asked) == found
         monkeypatch.undo()

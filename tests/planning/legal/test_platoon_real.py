@@ -7,9 +7,9 @@ import pytest
 from small_law import SMALL, all_stops, drawn, drivable
 from soak import chosen, soaked
 
-from platoon_osm.planning.legal.platoon_real import RoadTrips
-from platoon_osm.planning.legal.platoon_record import Timetable
-from platoon_osm.planning.legal.road import road_of
+from platoon_osm.planning.legal.driver.road import road_of
+from platoon_osm.planning.legal.platoon.real import RoadTrips
+from platoon_osm.planning.legal.platoon.record import Timetable
 
 CALENDAR = replace(SMALL, week_s=7, fortnight_s=40, weekly_rest_s=60, weekly_after_s=60)
 

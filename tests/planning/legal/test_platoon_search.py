@@ -10,30 +10,30 @@ from small_law import NO_PARTS, all_stops, drawn
 
 from platoon_osm.driving.state import RESTED
 from platoon_osm.driving.us395 import US395
-from platoon_osm.planning.legal import platoon_kernel, platoon_spans
-from platoon_osm.planning.legal.platoon_again import Again, joined_again
-from platoon_osm.planning.legal.platoon_asked import AskedTrips
-from platoon_osm.planning.legal.platoon_kernel import evaluate
-from platoon_osm.planning.legal.platoon_numbers import numbers_of_star
-from platoon_osm.planning.legal.platoon_own_places import entries_by_places, exits_by_places
-from platoon_osm.planning.legal.platoon_own_ways import plain_ways
-from platoon_osm.planning.legal.platoon_pairs import pairs_of_star
-from platoon_osm.planning.legal.platoon_real import RoadTrips
-from platoon_osm.planning.legal.platoon_record import MASTER, Timetable
-from platoon_osm.planning.legal.platoon_search import choices_of, search_platoon
-from platoon_osm.planning.legal.platoon_spans import SpanSearch
-from platoon_osm.planning.legal.platoon_stops import MasterStops
-from platoon_osm.planning.legal.platoon_tables import OwnTables
-from platoon_osm.planning.legal.platoon_values import StarValues
-from platoon_osm.planning.legal.road import NO_LIMIT, road_of
-from platoon_osm.planning.legal.star_times import NEVER_S, Span, StarTimes, VehicleRules
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
+from platoon_osm.planning.legal.platoon import kernel, spans
+from platoon_osm.planning.legal.platoon.again import Again, joined_again
+from platoon_osm.planning.legal.platoon.asked import AskedTrips
+from platoon_osm.planning.legal.platoon.kernel import evaluate
+from platoon_osm.planning.legal.platoon.numbers import numbers_of_star
+from platoon_osm.planning.legal.platoon.own_places import entries_by_places, exits_by_places
+from platoon_osm.planning.legal.platoon.own_ways import plain_ways
+from platoon_osm.planning.legal.platoon.pairs import pairs_of_star
+from platoon_osm.planning.legal.platoon.real import RoadTrips
+from platoon_osm.planning.legal.platoon.record import MASTER, Timetable
+from platoon_osm.planning.legal.platoon.search import choices_of, search_platoon
+from platoon_osm.planning.legal.platoon.spans import SpanSearch
+from platoon_osm.planning.legal.platoon.star_times import NEVER_S, Span, StarTimes, VehicleRules
+from platoon_osm.planning.legal.platoon.stops import MasterStops
+from platoon_osm.planning.legal.platoon.tables import OwnTables
+from platoon_osm.planning.legal.platoon.values import StarValues
 
 
 @pytest.fixture(autouse=True)
 def short_spans(monkeypatch):
     """Let spans of a few seconds be split, too, and be cut into few cells."""
-    monkeypatch.setattr(platoon_spans, "SPLIT_S", 3)
-    monkeypatch.setattr(platoon_kernel, "CELLS", 3)
+    monkeypatch.setattr(spans, "SPLIT_S", 3)
+    monkeypatch.setattr(kernel, "CELLS", 3)
 
 
 def pairs_of(star, member):

@@ -7,7 +7,7 @@ import pytest
 from bundled import italy
 
 import platoon_osm as po
-from platoon_osm.planning.legal.road import NO_LIMIT, road_of
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
 from platoon_osm.planning.legal.star_in_time import closing_lengths
 
 SATURDAY = datetime(2026, 3, 7, 18, tzinfo=ZoneInfo("Europe/Rome"))
@@ -58,7 +58,7 @@ class _Star:
     def __init__(self, road):
         from platoon_osm.driving.eu561 import EU561
         from platoon_osm.driving.state import RESTED
-        from platoon_osm.planning.legal.star_times import Span, VehicleRules
+        from platoon_osm.planning.legal.platoon.star_times import Span, VehicleRules
 
         self.road, self.window = road, Span(0, 10 * H, 60 * H)
         self.rules = VehicleRules(EU561, RESTED, 0)

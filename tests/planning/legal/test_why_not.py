@@ -5,9 +5,9 @@ import pytest
 from platoon_osm.driving.eu561 import EU561, EU561_TEAM
 from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.errors import ScenarioError
-from platoon_osm.planning.legal.one_driver import fastest
-from platoon_osm.planning.legal.road import NO_LIMIT, road_of
-from platoon_osm.planning.legal.why_not import why_not
+from platoon_osm.planning.legal.driver.one_driver import fastest
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
+from platoon_osm.planning.legal.driver.why_not import why_not
 
 MIN, H = 60, 3600
 HALF = 30 * MIN

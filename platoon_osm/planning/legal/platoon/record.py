@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from .road import LegalTrip
+from ..driver.road import LegalTrip
 from .star_times import StarTimes
 
 __all__ = ["MASTER", "MemberTiming", "PlatoonTiming", "Real", "Timetable"]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import platoon_clocks as clocks_of
-from .platoon_numbers import StarNumbers
-from .platoon_record import MASTER, Real, Timetable
-from .platoon_stops import Stops
-from .road import LegalTrip
+from ..driver.road import LegalTrip
+from . import clocks as clocks_of
+from .numbers import StarNumbers
+from .record import MASTER, Real, Timetable
 from .star_times import StarTimes
+from .stops import Stops
 
 __all__ = ["AskedTrips"]
 

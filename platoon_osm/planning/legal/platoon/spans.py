@@ -1,9 +1,9 @@
 """Spans of a master's departure, with beginnings of its stops: bounded, split and settled.
 
-The bound of a node is the sum of what each member pays at least (`platoon_kernel.py`): a node holds
+The bound of a node is the sum of what each member pays at least (`kernel.py`): a node holds
 how far each member has come in the list of its pairs. Once its stops are decided, members whose
 value is certain for the whole span are settled and counted no more. Where the places of a member's
-own ways may matter they are looked at, once for each point (`platoon_tables.py`). What is left open
+own ways may matter they are looked at, once for each point (`tables.py`). What is left open
 then, bans and weeks, the real trip tells: if it can be driven throughout the span the member is
 settled; if at no departure of it, this pair is out for the span.
 """
@@ -20,13 +20,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_asked import AskedTrips
-from .platoon_nodes import SpanNode, halves
-from .platoon_numbers import StarNumbers
-from .platoon_stops import Clocks, MasterStops, Stops
-from .platoon_values import StarValues, Table
-from .road import LegalTrip
+from ..driver.road import LegalTrip
+from .asked import AskedTrips
+from .nodes import SpanNode, halves
+from .numbers import StarNumbers
 from .star_times import StarTimes
+from .stops import Clocks, MasterStops, Stops
+from .values import StarValues, Table
 
 __all__ = ["Choice", "SpanSearch"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_clocks import ARRIVAL, BREAK, DAY, FAR, REST, SECOND, SPELL, needed
+from .clocks import ARRIVAL, BREAK, DAY, FAR, REST, SECOND, SPELL, needed
 
 __all__ = ["offsets", "openings"]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_stops import Clocks, Stops
+from .stops import Clocks, Stops
 
 __all__ = ["SpanNode", "halves"]
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...driving.state import DriverState
+from ....driving.state import DriverState
 from .label_search import (
     BESIDE,
     BESIDE_LENGTH,

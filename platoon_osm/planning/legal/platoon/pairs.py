@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_clocks as clocks
-from .platoon_numbers import StarNumbers, least_s
+from . import clocks as clocks
+from .numbers import StarNumbers, least_s
 from .star_times import NEVER_S
 
 __all__ = ["MemberPairs", "pairs_of_star"]

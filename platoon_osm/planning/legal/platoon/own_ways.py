@@ -3,12 +3,12 @@
 An *entry* is one way to come to a merging point: the earliest moment at which the member can leave
 it so, and its clocks then. An *exit* is one way to go on from a separation point: what its clocks
 may be at most, and how long it stands on the way. Each point has several, those with less standing
-first. There are two kinds for the two values of the search (`platoon_kernel.py`):
+first. There are two kinds for the two values of the search (`kernel.py`):
 
 - *at least*: pauses anywhere, as short as the way allows, with the more generous limits;
 - *for certain*: pauses only before leaving and at the merging point, with the stricter limits.
 
-Where the places of an own way are known, `platoon_own_places.py` replaces both by what they allow.
+Where the places of an own way are known, `own_places.py` replaces both by what they allow.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_clocks import (
+from .clocks import (
     ARRIVAL,
     BREAK,
     BROKEN,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_clocks import DAY, FAR, REST, SPELL, breaks_s, needed, paused
+from .clocks import DAY, FAR, REST, SPELL, breaks_s, needed, paused
 
 __all__ = ["HELPERS", "next_stops"]
 

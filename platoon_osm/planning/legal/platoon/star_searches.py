@@ -12,17 +12,17 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_clocks as clocks_of
-from .platoon_asked import AskedTrips
-from .platoon_compiled import kernels_for
-from .platoon_numbers import numbers_of_star
-from .platoon_pairs import pairs_of_star
-from .platoon_record import Real
-from .platoon_spans import SpanSearch
-from .platoon_stops import MasterStops
-from .platoon_tables import OwnRoads, OwnTables
-from .platoon_values import StarValues
+from . import clocks as clocks_of
+from .asked import AskedTrips
+from .compiled import kernels_for
+from .numbers import numbers_of_star
+from .pairs import pairs_of_star
+from .record import Real
+from .spans import SpanSearch
 from .star_times import OPEN_S, StarTimes
+from .stops import MasterStops
+from .tables import OwnRoads, OwnTables
+from .values import StarValues
 
 __all__ = ["MOST_RESTS_MORE", "StarSearches", "departures_of"]
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_clocks as clocks_of
+from . import clocks as clocks_of
 from .star_times import NEVER_S, OPEN_S, Span, StarTimes, VehicleRules
 
 __all__ = ["StarNumbers", "least_s", "numbers_of_star"]
@@ -37,7 +37,7 @@ class StarNumbers:
     Attributes
     ----------
     vehicles : ndarray of int, (M + 1, NUMBERS)
-        What is known of each, see `platoon_clocks`.
+        What is known of each, see `clocks`.
     approach, onward : ndarray of int, (M + 1, n)
         Driving times to points and from them [s].
     ready, must : ndarray of int, (M + 1, n)

@@ -1,9 +1,9 @@
 """What each member of a platoon pays at least, or for certain, while the master leaves in a span.
 
 A member merges at point i and separates at point j of the master's way; its pairs are listed, the
-cheapest first (`platoon_pairs.py`), and at each departure of the master it pays the cost of the
+cheapest first (`pairs.py`), and at each departure of the master it pays the cost of the
 first that it can drive. With one of its entries to i and one of its exits from j
-(`platoon_own_ways.py`) a pair can be driven while the master leaves between two moments: it leaves
+(`own_ways.py`) a pair can be driven while the master leaves between two moments: it leaves
 i no earlier than it can be there, and what comes after, its duty and its arrival, only gets later.
 So a span of departures is cut into cells, and in each cell each member is charged the first of its
 pairs that can be driven at some departure of it: no plan costs less than the sum. Cells that cost
@@ -13,7 +13,7 @@ that can be driven at all departures of a span is certain.
 Stops of the master that are not decided yet leave clocks anything from their value down to nothing,
 and the platoon leaves late and arrives early by as much as they may last; but the whole rest of the
 member's trip, with pauses anywhere, must be in time, too. Functions are plain;
-`platoon_compiled.py` compiles them.
+`compiled.py` compiles them.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_clocks import ARRIVAL, FAR, PLAIN, REST
-from .platoon_openings import offsets, openings
-from .platoon_own_ways import READY, STANDS
-from .platoon_pair_times import HELPERS as TIMES
-from .platoon_pair_times import departures
+from .clocks import ARRIVAL, FAR, PLAIN, REST
+from .openings import offsets, openings
+from .own_ways import READY, STANDS
+from .pair_times import HELPERS as TIMES
+from .pair_times import departures
 
 __all__ = ["CELLS", "HELPERS", "evaluate"]
 

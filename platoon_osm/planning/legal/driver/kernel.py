@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ...search.hierarchy.runtime.where_it_pays import WhereItPays
+from ....search.hierarchy.runtime.where_it_pays import WhereItPays
 from .label_search import HELPERS, search
 
 __all__ = ["LABELS", "label_search"]

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from . import platoon_clocks as clocks_of
-from .platoon_spans import SpanSearch
-from .platoon_stops import Stops
+from . import clocks as clocks_of
+from .spans import SpanSearch
+from .stops import Stops
 
 __all__ = ["simplest"]
 

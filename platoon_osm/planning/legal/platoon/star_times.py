@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...driving.limits import Limits
-from ...driving.state import DriverState
-from .road import Road
+from ....driving.limits import Limits
+from ....driving.state import DriverState
+from ..driver.road import Road
 
 __all__ = ["NEVER_S", "OPEN_S", "Span", "StarTimes", "VehicleRules"]
 

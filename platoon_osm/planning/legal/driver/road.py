@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ScenarioError
-from ...plans.pauses import PURPOSES
+from ....errors import ScenarioError
+from ....plans.pauses import PURPOSES
 
 __all__ = ["FREE", "NO_LIMIT", "LegalTrip", "PlannedPause", "Road", "joined_roads", "road_of"]
 

@@ -9,11 +9,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_clocks as clocks_of
-from .platoon_numbers import StarNumbers
-from .platoon_own_places import MOST_LABELS
-from .platoon_own_ways import ENTRY, EXIT
-from .road import Road
+from ..driver.road import Road
+from . import clocks as clocks_of
+from .numbers import StarNumbers
+from .own_places import MOST_LABELS
+from .own_ways import ENTRY, EXIT
 from .star_times import NEVER_S
 
 __all__ = ["OwnRoads", "OwnTables"]
@@ -75,7 +75,7 @@ class _Rows:
 
 
 class OwnTables:
-    """Entries and exits of one star, see `platoon_own_ways.py`.
+    """Entries and exits of one star, see `own_ways.py`.
 
     Parameters
     ----------

@@ -18,9 +18,9 @@ from typing import Literal
 
 import numpy as np
 
-from ...driving.limits import Limits
-from ...driving.state import DriverState
-from ...errors import ScenarioError
+from ....driving.limits import Limits
+from ....driving.state import DriverState
+from ....errors import ScenarioError
 from .kernel import label_search
 from .label_search import (
     CALENDAR,

@@ -14,10 +14,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_clocks as clocks_of
-from .platoon_next_stops import next_stops
-from .platoon_numbers import StarNumbers
-from .road import Road
+from ..driver.road import Road
+from . import clocks as clocks_of
+from .next_stops import next_stops
+from .numbers import StarNumbers
 from .star_times import OPEN_S
 
 __all__ = ["Clocks", "MasterStops", "Stops"]

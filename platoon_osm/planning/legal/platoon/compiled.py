@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ...search.hierarchy.runtime.where_it_pays import WhereItPays
-from . import platoon_kernel, platoon_next_stops, platoon_own_places, platoon_own_ways
+from ....search.hierarchy.runtime.where_it_pays import WhereItPays
+from . import kernel, next_stops, own_places, own_ways
 
 __all__ = ["KERNELS", "Kernels", "kernels_for"]
 
@@ -30,21 +30,21 @@ class Kernels:
         Of the files that hold them.
     """
 
-    evaluate: Kernel = platoon_kernel.evaluate
-    next_stops: Kernel = platoon_next_stops.next_stops
-    plain_ways: Kernel = platoon_own_ways.plain_ways
-    entries_by_places: Kernel = platoon_own_places.entries_by_places
-    exits_by_places: Kernel = platoon_own_places.exits_by_places
+    evaluate: Kernel = kernel.evaluate
+    next_stops: Kernel = next_stops.next_stops
+    plain_ways: Kernel = own_ways.plain_ways
+    entries_by_places: Kernel = own_places.entries_by_places
+    exits_by_places: Kernel = own_places.exits_by_places
 
 
-_PLACES = platoon_own_places.HELPERS
+_PLACES = own_places.HELPERS
 
 KERNELS: tuple[WhereItPays[Kernel], ...] = (
-    WhereItPays(platoon_kernel.evaluate, COMPILING_S, platoon_kernel.HELPERS),
-    WhereItPays(platoon_next_stops.next_stops, COMPILING_S, platoon_next_stops.HELPERS),
-    WhereItPays(platoon_own_ways.plain_ways, COMPILING_S, platoon_own_ways.HELPERS),
-    WhereItPays(platoon_own_places.entries_by_places, COMPILING_S, _PLACES),
-    WhereItPays(platoon_own_places.exits_by_places, COMPILING_S, _PLACES),
+    WhereItPays(kernel.evaluate, COMPILING_S, kernel.HELPERS),
+    WhereItPays(next_stops.next_stops, COMPILING_S, next_stops.HELPERS),
+    WhereItPays(own_ways.plain_ways, COMPILING_S, own_ways.HELPERS),
+    WhereItPays(own_places.entries_by_places, COMPILING_S, _PLACES),
+    WhereItPays(own_places.exits_by_places, COMPILING_S, _PLACES),
 )
 """In the order of `Kernels`."""
 

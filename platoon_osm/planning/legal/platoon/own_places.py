@@ -1,6 +1,6 @@
 """The entries and exits of a member's own way whose places to pause are known.
 
-As in `platoon_own_ways.py`, but every pause is at a place of the way, of a length that the law
+As in `own_ways.py`, but every pause is at a place of the way, of a length that the law
 names: labels are carried from point to point, forward from the origin and back from the
 destination, and of two labels one is dropped if the other is in nothing behind. With the generous
 limits nothing that can be driven is missed; with the strict ones everything can be driven.
@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_clocks import (
+from .clocks import (
     ARRIVAL,
     BREAK,
     BROKEN,
@@ -33,7 +33,7 @@ from .platoon_clocks import (
     WINDOW,
     paused,
 )  # fmt: skip
-from .platoon_own_ways import (
+from .own_ways import (
     BEFORE,
     DRIVEN,
     ENTRY,

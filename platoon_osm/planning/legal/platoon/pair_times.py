@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_clocks import (
+from .clocks import (
     ARRIVAL,
     DAY,
     EARLIEST,
@@ -28,7 +28,7 @@ from .platoon_clocks import (
     onward_at,
     paused,
 )  # fmt: skip
-from .platoon_own_ways import (
+from .own_ways import (
     BEFORE,
     DRIVEN,
     FREE,

@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from ...driving.limits import Limits
+from ....driving.limits import Limits
 from .road import NO_LIMIT, IntArray
 
 __all__ = [

@@ -15,12 +15,12 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
-from .platoon_record import MemberTiming
-from .platoon_search import choices_of
-from .platoon_spans import SpanSearch
-from .platoon_stops import Stops
-from .platoon_ties import simplest
+from .record import MemberTiming
+from .search import choices_of
+from .spans import SpanSearch
 from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
+from .stops import Stops
+from .ties import simplest
 
 __all__ = ["TRIP_SPANS", "DepartureStep", "DepartureSteps", "steps_of_departure"]
 

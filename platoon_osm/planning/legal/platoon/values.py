@@ -1,4 +1,4 @@
-"""What vehicles of one star pay at least, or for certain: the arrays for `platoon_kernel.py`."""
+"""What vehicles of one star pay at least, or for certain: the arrays for `kernel.py`."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_numbers import StarNumbers
-from .platoon_pairs import MemberPairs
-from .platoon_stops import Clocks, MasterStops, Stops
-from .platoon_tables import OwnTables
+from .numbers import StarNumbers
+from .pairs import MemberPairs
+from .stops import Clocks, MasterStops, Stops
+from .tables import OwnTables
 
 __all__ = ["StarValues", "Table", "Values"]
 

@@ -17,10 +17,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from . import platoon_clocks as clocks_of
-from .platoon_numbers import StarNumbers
-from .platoon_record import MemberTiming, Timetable
-from .road import LegalTrip
+from ..driver.road import LegalTrip
+from . import clocks as clocks_of
+from .numbers import StarNumbers
+from .record import MemberTiming, Timetable
 
 __all__ = ["Again", "joined_again"]
 

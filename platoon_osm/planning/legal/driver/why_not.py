@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from ...driving.limits import Limits
-from ...driving.state import DriverState
-from ...errors import ScenarioError
+from ....driving.limits import Limits
+from ....driving.state import DriverState
+from ....errors import ScenarioError
 from .one_driver import farthest, fastest, least_late
 from .road import Road
 

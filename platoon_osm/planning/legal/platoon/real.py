@@ -17,10 +17,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ...driving.limits import Limits
-from .one_driver import fastest, least_late
-from .platoon_record import MASTER, Timetable
-from .road import FREE, IntArray, LegalTrip, Road, joined_roads
+from ....driving.limits import Limits
+from ..driver.one_driver import fastest, least_late
+from ..driver.road import FREE, IntArray, LegalTrip, Road, joined_roads
+from .record import MASTER, Timetable
 from .star_times import OPEN_S, StarTimes, VehicleRules
 
 __all__ = ["RoadTrips", "Together"]

@@ -1,13 +1,13 @@
 """The cheapest stops and departure of a master for its members, best first.
 
-A node of the search (`platoon_spans.py`) is a beginning of the master's stops and a span of its
+A node of the search (`spans.py`) is a beginning of the master's stops and a span of its
 departure. Bounds hold for pauses anywhere on the members' own ways, while every plan that is
 returned has been driven with real places.
 
 What is searched: departures in whole seconds; stops at places of the master's way, of the lengths
 that the law names and those asked for; as many stops as its driving needs and `extra_stops` more,
 and no more daily rests than it needs, one more if there is no plan else. Of equally cheap plans one
-with few stops, whole breaks and an early departure is taken (`platoon_ties.py`).
+with few stops, whole breaks and an early departure is taken (`ties.py`).
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from .platoon_again import Again, joined_again
-from .platoon_record import MemberTiming, PlatoonTiming, Real, Timetable
-from .platoon_spans import SpanSearch
-from .platoon_stops import Stops
-from .platoon_tables import OwnRoads
-from .platoon_ties import simplest
+from .again import Again, joined_again
+from .record import MemberTiming, PlatoonTiming, Real, Timetable
+from .spans import SpanSearch
 from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
 from .star_times import StarTimes
+from .stops import Stops
+from .tables import OwnRoads
+from .ties import simplest
 
 __all__ = ["choices_of", "cost_of", "gained", "search_platoon"]
 

@@ -1,0 +1,1 @@
+"""One vehicle and its drivers on a given way: the law as searches over labels."""
