@@ -178,7 +178,9 @@ class Problem:
     @property
     def limits_driving(self) -> bool:
         """Whether its rules have limits, by which breaks and rests are planned."""
-        return any(limits_of(self.rules, trip.driver.drivers).limits_driving for trip in self.trips)
+        # All are asked: rules that are not planned for two drivers refuse any trip that has them.
+        each = [limits_of(self.rules, trip.driver.drivers) for trip in self.trips]
+        return any(limits.limits_driving for limits in each)
 
     def profile_of(self, trip: Trip) -> Vehicle | None:
         """Return the vehicle that is named for a trip.

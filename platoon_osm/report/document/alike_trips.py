@@ -161,9 +161,15 @@ def alike_plans(
             for place in places
         ),
         sums=tuple(sums.values()),
-        gaps=tuple(plans[place].proof.gap for place in places),
+        gaps=tuple(_gap(plans[place]) for place in places),
         remarks=tuple(_remarks(places, base, plans, documents)),
     )
+
+
+def _gap(plan: Plan) -> float | None:
+    """Return by what share a plan may be dearer than the best; None where nothing is proved."""
+    gap: float | None = plan.proof.get("gap", 0.0 if plan.proof.get("kind") == "exact" else None)
+    return gap
 
 
 def _costs_of(plan: Plan) -> object:
