@@ -41,7 +41,7 @@ def take_quick_routes(question: Question) -> None:
         late_s = question.fleet.route_s((index,), question.alone[index]) - most_s
         if late_s <= SAME_S:
             continue
-        ways = list(quicker_ways(question, index))
+        ways = quicker_ways(question, index)
         if not ways:
             continue
         # The last one is a quickest.
@@ -49,8 +49,8 @@ def take_quick_routes(question: Question) -> None:
         question.take_alone(index, next(in_time, ways[-1]), late_s)
 
 
-def quicker_ways(question: Question, index: int) -> Iterator[Edges]:
-    """Yield the ways of a vehicle alone that are quicker than its route, the cheapest first.
+def quicker_ways(question: Question, index: int) -> list[Edges]:
+    """Return the ways of a vehicle alone that are quicker than its route, the cheapest first.
 
     Parameters
     ----------
@@ -59,9 +59,9 @@ def quicker_ways(question: Question, index: int) -> Iterator[Edges]:
     index : int
         The vehicle's position.
 
-    Yields
-    ------
-    ndarray of int, (k,)
+    Returns
+    -------
+    list of ndarray of int, (k,)
         Edge ids in driving order; none both cheaper and quicker than another.
     """
     own, fleet = question.ends[index], question.fleet
@@ -74,14 +74,14 @@ def quicker_ways(question: Question, index: int) -> Iterator[Edges]:
         for node, forward in ((own.origin, True), (own.destination, False))
     )
     if there.time_s[own.destination] >= usual_s - SAME_S:
-        return
+        return []
     # What is dearer than a quickest way is neither cheaper nor quicker than that.
     most = float(weight[quick.path(own.origin, own.destination)].sum()) * LAST_DIGITS
     budget = Budget.of(most, usual_s - 2 * SAME_S, onward, 1.0)
     found = labels_of(question.net, weight, pace, there, budget, forward=True)
     _, cost, time_s = found.at(np.array([own.destination], np.int64))
-    for place in np.argsort(cost, kind="stable").tolist():
-        yield found.route(own.destination, float(time_s[place]))
+    cheapest = np.argsort(cost, kind="stable").tolist()
+    return [found.route(own.destination, float(time_s[place])) for place in cheapest]
 
 
 def told_quick(question: Question) -> Iterator[str]:

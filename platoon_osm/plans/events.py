@@ -57,14 +57,12 @@ def platoon_events(
         if index not in masters:
             for kind, stretch in _changes(stretches, way):
                 note(kind, stretch, [index])
+    moved: dict[tuple[str, int], set[int]] = {}
+    for event in found.values():
+        moved.setdefault((event.kind, event.stretch), set()).update(event.movers)
     for kind, stretch, groups in _meetings(stretches, ways):
-        moved = {
-            index
-            for event in found.values()
-            if (event.kind, event.stretch) == (kind, stretch)
-            for index in event.movers
-        }
-        untold = [group for group in groups if not moved & set(group)]
+        told = moved.get((kind, stretch), set())
+        untold = [group for group in groups if told.isdisjoint(group)]
         host = _host(stretches[stretch], untold, masters)
         for group in untold:
             if group != host:

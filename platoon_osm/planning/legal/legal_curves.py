@@ -23,7 +23,8 @@ from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STOPPED, of_every
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
 from .platoon.departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
-from .platoon.search import cost_of, gained
+from .platoon.record import gained
+from .platoon.search import cost_of
 from .platoon.star_searches import StarSearches
 from .platoon.star_times import StarTimes
 from .star_in_time import LIMIT_S, case_of
@@ -135,7 +136,9 @@ class _Level:
         """Add up a step; where a plan would leave everybody alone, all are."""
         alone = float(question.solo.sum())
         cost = cost_of(times, step.members)
-        loses = gained(times, step.members) < -NO_CHEAPER * float(question.solo[master])
+        loses = gained(times.gain, (one.stretches for one in step.members)) < -NO_CHEAPER * float(
+            question.solo[master]
+        )
         if cost >= alone * (1 - NO_CHEAPER) or (loses and question.problem.optimum == "member"):
             return cls(step, alone, ())
         return cls(step, cost, tuple(k for k, one in enumerate(step.members) if not one.is_alone))

@@ -193,7 +193,7 @@ class LegalQuestion:
         if late_s <= 0:
             return usual
         route = None
-        ways = list(quicker_ways(self.question, index))[::-1]
+        ways = quicker_ways(self.question, index)[::-1]
         for edges in ways[:: -(-len(ways) // MOST_WAYS) or 1][::-1]:
             found = self._by(index, edges)
             if self._late_s(index, found) < self._late_s(index, best):

@@ -22,12 +22,12 @@ from .legal_question import LegalQuestion
 from .member_ways import MemberWays
 from .platoon.again import Again
 from .platoon.real import Together
-from .platoon.record import PlatoonTiming
+from .platoon.record import PlatoonTiming, gained
 from .platoon.search import search_platoon
 from .platoon.star_times import StarTimes
 from .star_input import star_way
 
-__all__ = ["LIMIT_S", "Platooned", "case_of", "closing_lengths", "met_on_route", "timed_star"]
+__all__ = ["LIMIT_S", "Platooned", "case_of", "closing_lengths", "timed_star"]
 
 Floats = NDArray[np.float64]
 
@@ -140,46 +140,24 @@ def _for_all(found: Platooned, share: float) -> Platooned:
         for one, some in zip(timing.members, found.together, strict=False)
     ]
     together = list(found.together)
-
-    def gained() -> float:
-        return float(star.gain[met_on_route(star, together)].sum())
-
     # One companion is enough for the master: who costs more than it brings stays alone.
     for row in sorted(range(len(pays)), key=lambda k: float(alone[k]) - pays[k]):
-        own, with_it = together[row], gained()
+        own, with_it = together[row], gained(star.gain, together)
         together[row] = ()
-        if own and pays[row] - alone[row] > with_it - gained() + NO_CHEAPER * pays[row]:
+        if (
+            own
+            and pays[row] - alone[row]
+            > with_it - gained(star.gain, together) + NO_CHEAPER * pays[row]
+        ):
             pays[row] = float(alone[row])
         else:
             together[row] = own
     bound = timing.bound - (1.0 - share) * float(gain.sum())
     cost = timing.cost
     if timing.timetable is not None:
-        cost = sum(pays) + star.master_alone - gained()
+        cost = sum(pays) + star.master_alone - gained(star.gain, together)
     timing = replace(timing, cost=cost, bound=min(bound, cost))
     return replace(found, timing=timing, together=together)
-
-
-def met_on_route(star: Star, together: Sequence[Sequence[Together]]) -> NDArray[np.bool_]:
-    """Mark the edges of the route on which the master has company.
-
-    Parameters
-    ----------
-    star : Star
-        Whose master.
-    together : sequence of sequence of (int, int), (M, ...)
-        The stretches of each member.
-
-    Returns
-    -------
-    ndarray of bool, (K,)
-        Of the master's route.
-    """
-    met = np.zeros(len(star.route), bool)
-    for some in together:
-        for i, j in some:
-            met[i:j] = True
-    return met
 
 
 def _searched(

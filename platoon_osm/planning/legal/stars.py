@@ -18,7 +18,8 @@ from ..company.draft import NO_CHEAPER
 from ..star import Star
 from .cut_at_pauses import Driven
 from .legal_question import LegalQuestion
-from .star_in_time import Platooned, case_of, met_on_route, timed_star
+from .platoon.record import gained
+from .star_in_time import Platooned, case_of, timed_star
 
 __all__ = ["Planned", "planned_platoons"]
 
@@ -196,5 +197,4 @@ def _allowed(legal: LegalQuestion, found: Platooned) -> bool:
     if question.problem.optimum == "system":
         return True
     star = found.star
-    gained = float(star.gain[met_on_route(star, found.together)].sum())
-    return gained >= -NO_CHEAPER * float(question.solo[star.master])
+    return gained(star.gain, found.together) >= -NO_CHEAPER * float(question.solo[star.master])

@@ -22,6 +22,7 @@ from ...plans.pauses import PausePlace
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 from ..timing.forbidden import Interval, Section, forbidden_starts
+from ..timing.parking_before import parking_place
 from .driver.road import NO_LIMIT, Road, joined_roads, road_of
 
 __all__ = ["NEAR_S", "Closed", "WayPoint", "WayPoints", "joined", "part_of_way", "way_points"]
@@ -165,9 +166,7 @@ def _parkings(
             if stop.kind == "tunnel" or not inside or "parking" not in offers_to(stop, vehicle):
                 continue
             share = (access.share - begin) / (end - begin)
-            place = PausePlace(
-                stop.name, stop.kind, stop.lon, stop.lat, access.beside_m, stop.capacity
-            )
+            place = parking_place(stop, access)
             stay = NO_LIMIT if stop.max_stay_s is None else int(stop.max_stay_s)
             when = float(starts[at] + share * drive_s[at])
             where = (at, share) if share < 1.0 else (at + 1, 0.0)

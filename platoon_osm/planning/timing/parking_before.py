@@ -9,17 +9,37 @@ from __future__ import annotations
 from itertools import pairwise
 
 from ...network.road_network import RoadNetwork
+from ...network.road_stop import RoadStop, StopAccess
 from ...network.stops import stops_along
 from ...plans.clock import MENTIONED_S
+from ...plans.pauses import PausePlace
 from ...plans.plan import Plan
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 
-__all__ = ["FARTHEST_BACK_M", "parking_before"]
+__all__ = ["FARTHEST_BACK_M", "parking_before", "parking_place"]
 
 FARTHEST_BACK_M = 50_000.0
 """A parking farther back than this is of no use to who stands: much can happen on the rest of the
 way [m]."""
+
+
+def parking_place(stop: RoadStop, access: StopAccess) -> PausePlace:
+    """Return a stop beside the road as a place to pause.
+
+    Parameters
+    ----------
+    stop : RoadStop
+        The stop.
+    access : StopAccess
+        Where the road is left for it.
+
+    Returns
+    -------
+    PausePlace
+        For the record.
+    """
+    return PausePlace(stop.name, stop.kind, stop.lon, stop.lat, access.beside_m, stop.capacity)
 
 
 def parking_before(plan: Plan, net: RoadNetwork, index: int, vehicle: Vehicle) -> str:

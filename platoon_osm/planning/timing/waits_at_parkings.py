@@ -22,7 +22,7 @@ from ...plans.timetable import LATE_S, VehicleTimes
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 from .hours_check import broken_hours
-from .parking_before import FARTHEST_BACK_M
+from .parking_before import FARTHEST_BACK_M, parking_place
 from .stops import Place, cut_plan, time_to
 
 __all__ = ["with_waits_at_parkings"]
@@ -181,9 +181,7 @@ def _to_parking(
             if back_m + stretch.length_m - passed.at_m > FARTHEST_BACK_M:
                 break
             if stays and parks and within and cut < (len(stretch.edges) - 1, stretch.span[1]):
-                place = PausePlace(
-                    stop.name, stop.kind, stop.lon, stop.lat, passed.access.beside_m, stop.capacity
-                )
+                place = parking_place(stop, passed.access)
                 return _Move(tuple(chain), cut, wait_s, place)
         back_m += stretch.length_m
         stood = around.pauses(current)

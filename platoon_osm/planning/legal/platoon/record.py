@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from ..driver.road import LegalTrip
 from .star_times import StarTimes
 
-__all__ = ["MASTER", "MemberTiming", "PlatoonTiming", "Real", "Timetable"]
+__all__ = ["MASTER", "MemberTiming", "PlatoonTiming", "Real", "Timetable", "gained"]
 
+Floats = NDArray[np.float64]
 Seconds = NDArray[np.int64]
 
 MASTER = -1
@@ -182,3 +183,25 @@ class PlatoonTiming:
         """How much more could be saved, as a share of the most that could be."""
         most = self.alone_cost - self.bound
         return 0.0 if self.proved or most <= 0 else (self.cost - self.bound) / most
+
+
+def gained(gain: Floats, together: Iterable[Iterable[tuple[int, int]]]) -> float:
+    """Return what a master saves by its company.
+
+    Parameters
+    ----------
+    gain : ndarray of float, (K,)
+        What it saves on each edge of its route if it has company there.
+    together : iterable of iterable of (int, int), (M, ...)
+        Between which nodes of the route each member drives with it.
+
+    Returns
+    -------
+    float
+        Once for each edge on which it has any.
+    """
+    met = np.zeros(len(gain), bool)
+    for some in together:
+        for i, j in some:
+            met[i:j] = True
+    return float(gain[met].sum())

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .again import Again, joined_again
-from .record import MemberTiming, PlatoonTiming, Real, Timetable
+from .record import MemberTiming, PlatoonTiming, Real, Timetable, gained
 from .spans import SpanSearch
 from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
 from .star_times import StarTimes
@@ -27,7 +27,7 @@ from .stops import Stops
 from .tables import OwnRoads
 from .ties import simplest
 
-__all__ = ["choices_of", "cost_of", "gained", "search_platoon"]
+__all__ = ["choices_of", "cost_of", "search_platoon"]
 
 Marks = NDArray[np.bool_]
 
@@ -171,26 +171,5 @@ def cost_of(star: StarTimes, members: Sequence[MemberTiming]) -> float:
     float
         Of master and members; what the master gains from company counts once.
     """
-    return sum(one.cost for one in members) + star.master_alone - gained(star, members)
-
-
-def gained(star: StarTimes, members: Sequence[MemberTiming]) -> float:
-    """Return what the master saves by its company.
-
-    Parameters
-    ----------
-    star : StarTimes
-        The master and its members.
-    members : sequence of MemberTiming, (M,)
-        How each member drives.
-
-    Returns
-    -------
-    float
-        Once for each edge on which it has any.
-    """
-    met = np.zeros(len(star.gain), bool)
-    for one in members:
-        for i, j in one.stretches:
-            met[i:j] = True
-    return float(star.gain[met].sum())
+    gain = gained(star.gain, (one.stretches for one in members))
+    return sum(one.cost for one in members) + star.master_alone - gain
