@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..driving.rules import places_pauses
 from ..errors import PlatoonError
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def time_worth(
     masters = {one.master for one in plan.platoons if len(one.vehicles) > 1}
     if table is None or len(masters) != 1:
         return {}
-    if len(plan.trips) > (MOST_UNDER_RULES if table.rules else MOST_VEHICLES):
+    if len(plan.trips) > (MOST_UNDER_RULES if places_pauses(table.rules) else MOST_VEHICLES):
         return {}
     from ..planning.curves import delay_frontier, departure_curve
 

@@ -18,8 +18,8 @@ from .limits import UNLIMITED, Limits
 from .us395 import US395
 
 __all__ = [
-    "NO_RULES", "RULES", "Drive", "DrivingRules", "Rules", "Violation", "limits_of", "rules_of",
-    "spread_of",
+    "NO_RULES", "RULES", "Drive", "DrivingRules", "Rules", "Violation", "limits_of",
+    "places_pauses", "rules_of", "spread_of",
 ]  # fmt: skip
 
 SPREAD = 2700.0 / 32400.0
@@ -234,3 +234,21 @@ def spread_of(rules: DrivingRules) -> float:
         As a share of the driving time; 0 under any law.
     """
     return float(getattr(rules, "spread", 0.0))
+
+
+def places_pauses(name: str) -> bool:
+    """Return whether plans under rules of a name have breaks and rests at places and moments.
+
+    Parameters
+    ----------
+    name : str
+        As plans have it; empty without rules.
+
+    Returns
+    -------
+    bool
+        True for rules with limits, and for those not known here; False without any, and where rest
+        is spread over the driving alone.
+    """
+    known = RULES.get(name) if name else NO_RULES
+    return known is None or known.alone.limits_driving

@@ -29,6 +29,7 @@ from .company.draft import NO_CHEAPER
 from .no_wait import NoWait, best_without_waiting
 from .problem import Problem
 from .question import Question
+from .rules_told import named_rules
 from .timed_star import TimedStar
 from .timing.departure_curve import MemberSteps, StepCurve
 from .timing.limits import Window, first_named
@@ -128,7 +129,7 @@ def departure_curve(
         cost,
         exact,
         (f"master {names[known]} {NO_WAIT}", EACH_ITS_OWN, *CLOCK,
-         *((PRICED,) if clocked.price else ())),
+         *((PRICED,) if clocked.price else ()), *named_rules(question.problem.rules)),
     )  # fmt: skip
 
 
@@ -203,7 +204,7 @@ def delay_frontier(
         np.array(bounds),
         names,
         np.array(members, np.int64),
-        (f"a master {NO_WAIT}", *CLOCK),
+        (f"a master {NO_WAIT}", *CLOCK, *named_rules(question.problem.rules)),
     )
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..costs.objective import Objective
 from ..costs.weights import EdgeWeights
-from ..driving.rules import Drive, DrivingRules
+from ..driving.rules import DrivingRules
 from ..errors import ScenarioError, brief
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.placed import network_below
@@ -36,6 +36,7 @@ from .question import Question
 from .quick_alone import told_quick
 from .reasons import reasons_alone
 from .routers import AstarRouter, Method
+from .rules_told import with_rules
 from .star import Star
 from .tight_limits import tight_limits
 from .timing.bans import with_hours
@@ -206,7 +207,7 @@ def solve(problem: Problem) -> Plan:
         plan = timed(_by_astar(question))
     plan = with_waits_at_parkings(plan, network_below(net), vehicles)
     plan = replace(plan, remarks=(*plan.remarks, *told_quick(question)))
-    return _with_rules(_with_limits(plan, net, vehicles, shut), problem)
+    return with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)
 
 
 def _with_limits(
@@ -278,22 +279,3 @@ def _by_astar(question: Question) -> Plan:
     answer = Answer(draft, draft.costs(fleet), choice.case, master, None)
     question.alone = star.alone
     return _written(question, runs, choice.case, master, proof, reasons_alone(question, answer))
-
-
-def _with_rules(plan: Plan, problem: Problem) -> Plan:
-    """Remark what the plan breaks of the driving rules."""
-    remarks = [
-        f"{vehicle.vehicle}: {violation.text}"
-        for index, vehicle in enumerate(plan.vehicles)
-        for violation in problem.rules.violations(_day(plan, index))
-    ]
-    return replace(plan, remarks=(*plan.remarks, *remarks)) if remarks else plan
-
-
-def _day(plan: Plan, index: int) -> Sequence[Drive]:
-    times = plan.times[index]
-    waits = times.waits if times else (0.0,) * len(plan.ways[index])
-    return [
-        Drive(plan.stretches[k].drive_s, plan.stretches[k].vehicles[0] == index, wait)
-        for k, wait in zip(plan.ways[index], waits, strict=True)
-    ]

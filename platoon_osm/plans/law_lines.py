@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..driving.rules import RULES
+from ..driving.rules import RULES, places_pauses
 from ..shown_text import fitted
 from .clock import MENTIONED_S, Clock, duration
 from .pauses import Pause, PausePlace
@@ -44,11 +44,14 @@ def law_lines(plan: Plan) -> list[str]:
     Returns
     -------
     list of str
-        First the rules; empty for a plan without any and without planned pauses.
+        First the rules, which are all there is to say of rest that is spread over the driving;
+        empty for a plan without rules and without planned pauses.
     """
     table = plan.timetable
-    if table is None or not (table.rules or any(map(_is_planned, table.vehicles))):
+    if table is None:
         return []
+    if not places_pauses(table.rules) and not any(map(_is_planned, table.vehicles)):
+        return rules_text(table)
     lines = [_vehicle(times, table.clock, table.rules) for times in table.vehicles]
     return [*rules_text(table), *lines]
 
@@ -92,7 +95,7 @@ def _vehicle(times: VehicleTimes, clock: Clock, rules: str) -> str:
     parts = [pause_text(one, clock) for one in told[:MOST_NAMES]]
     if len(told) > MOST_NAMES:
         parts.append(f"{len(told) - MOST_NAMES} more pauses")
-    if not told and rules:
+    if not told and places_pauses(rules):
         parts = ["no break"]
     return "; ".join([text, *parts])
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from ..driving.rules import places_pauses
 from ..shown_text import fitted
 from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
@@ -90,7 +91,7 @@ def _table(plan: Plan) -> list[str]:
     rows.append(["total", "", "", "", *_numbers(plan, plan.vehicles)])
     if (timetable := plan.timetable) is not None:
         days = timetable.vehicles
-        under_rules = bool(timetable.rules) or any(map(rested_s, days))
+        under_rules = places_pauses(timetable.rules) or any(map(rested_s, days))
         header += ["leaves", "arrives", "waits", *(["rests"] if under_rules else [])]
         times = [_times(timetable, [one], under_rules) for one in days[:MOST_ROWS]]
         if rest:

@@ -133,7 +133,8 @@ class Timetable:
         How far company was allowed to move a vehicle that names no window [s]; None if that was
         not limited, or is not known.
     rules : str
-        Name of the driving rules by which breaks and rests were planned; empty if there were none.
+        Name of the driving rules by which breaks and rests were planned, or rest was spread over
+        the driving; empty if there were none.
     task_relief : float
         How much a follower's driving clock slows under them, [0, 1].
     """

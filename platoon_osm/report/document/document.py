@@ -161,6 +161,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
                 bool(found.groups),
                 law,
                 plan.remarks,
+                plan.timetable.rules if plan.timetable else "",
             )
         ),
         cost_unit=CostLabel(

@@ -23,7 +23,7 @@ from .wording import MOST_NAMED, joined
 __all__ = ["lateness", "law_name", "status", "ways_out"]
 
 BEYOND = {"spell": "status.spell", "day": "status.day", "duty": "status.duty"}
-NAMES = {"eu561": "law.eu561", "us395": "law.us395"}
+NAMES = {"eu561": "law.eu561", "us395": "law.us395", "spread-rest": "law.spread-rest"}
 
 
 def status(
@@ -32,6 +32,7 @@ def status(
     platoon: bool,
     law: Law | None = None,
     remarks: Sequence[str] = (),
+    rules: str = "",
 ) -> Iterator[Status]:
     """Yield what heads the page, in a line each.
 
@@ -47,6 +48,8 @@ def status(
         The driving rules of the plan.
     remarks : sequence of str
         Of the plan.
+    rules : str
+        Name of its rules, which is told where `law` has nothing to count.
 
     Yields
     ------
@@ -74,6 +77,8 @@ def status(
             yield Status("bad", "; ".join(beyond))
         else:
             yield Status("good", say("status.legal", rules=law_name(law.rules)))
+    elif rules:
+        yield Status("plain", say("law.rules", rules=law_name(rules)))
     if not platoon:
         yield Status("plain", say("status.no-platoon", n=len(called)))
 
