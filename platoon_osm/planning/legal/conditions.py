@@ -5,9 +5,12 @@ from __future__ import annotations
 from ..best import WAITING_FREE
 from ..question import Question
 
-__all__ = ["ALL_TOGETHER", "MEMBERS", "STANDS_FOR_LAW", "STOPPED", "of_every_plan"]
+__all__ = ["ALL_TOGETHER", "MEMBERS", "STANDS_FOR_LAW", "STANDS_LONGER", "STOPPED", "of_every_plan"]
 
 STANDS_FOR_LAW = "which stands for its breaks and rests alone, once more than it needs at most"
+STANDS_LONGER = (
+    "which stands for its breaks and rests, once more than it needs at most, as long as it likes"
+)
 WHOLE_SECONDS = "times in whole seconds"
 MEMBERS = "members pay least in all, and what masters gain is counted then"
 ALL_TOGETHER = "members and master pay least in all"

@@ -19,7 +19,7 @@ from ...plans.zones import clock_of
 from ..best import ONE_STRETCH
 from ..company.draft import NO_CHEAPER
 from ..question import Question
-from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
+from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STANDS_LONGER, STOPPED, of_every_plan
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
 from .platoon.departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
@@ -184,27 +184,35 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
     # No window makes company cheaper than none at all does.
     floor = min(question.star(master).bound for master in masters)
     rows: list[tuple[float, float, str, int]] = []
-    left = FRONTIER_SPANS
+    waiting: list[float] = []
+    waits, unfinished, left = False, False, FRONTIER_SPANS
     for place, delay in enumerate(delays_min):
         if rows and rows[-1][0] <= floor * (1 + NO_CHEAPER):
             rows.append(rows[-1])
+            waiting.append(waiting[-1])
             continue
         if rows and left < -FRONTIER_SPANS:
             rows.append((rows[-1][0], floor, *rows[-1][2:]))
+            waiting.append(floor)
+            unfinished = True
             continue
         most = DELAY_SHARES * max(left, 0) // (len(delays_min) - place)
         planned = planned_platoons(legal.delayed(delay * 60.0), min(most, left))
         left -= planned.spans + TRIP_SPANS * planned.asked
         cost, bound, company = planned.cost, planned.bound, planned.company
+        waits, unfinished = waits | planned.waits, unfinished | planned.unfinished
         name = "" if planned.master is None else question.ends[planned.master].vehicle
         if rows and rows[-1][0] <= cost:
             cost, _, name, company = rows[-1]
         if bound is None or bound >= cost * (1 - NO_CHEAPER):
             bound = cost
         rows.append((cost, bound, name, company))
+        waiting.append(floor if planned.waiting_bound is None else planned.waiting_bound)
     costs, bounds, names, members = zip(*rows, strict=True)
+    stands = STANDS_LONGER if waits else STANDS_FOR_LAW
+    bounds = tuple(waiting) if waits else bounds
     least = np.minimum(np.maximum.accumulate(np.array(bounds)[::-1])[::-1], costs)
-    stopped = bool((least < costs).any())
+    stopped = unfinished and bool((least < costs).any())
     aim = ALL_TOGETHER if question.problem.optimum == "system" else MEMBERS
     leads = "a master" if fixed is None else f"master {question.ends[fixed].vehicle}"
     return DelayFrontier(
@@ -216,7 +224,7 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
         least,
         names,
         np.array(members, np.int64),
-        (f"{leads} on its own route, {STANDS_FOR_LAW}",
+        (f"{leads} on its own route, {stands}",
          *((STOPPED,) if stopped else ()), ONE_STRETCH, aim, *of_every_plan(question)),
         question.problem.rules.name,
     )  # fmt: skip

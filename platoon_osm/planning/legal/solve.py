@@ -15,10 +15,17 @@ from ...vehicles.profile import Vehicle
 from ..answers import Answer
 from ..best import ANY_WAY, ONE_STRETCH, Best
 from ..company.bound import least_total
-from ..company.draft import Draft
+from ..company.draft import NO_CHEAPER, Draft
 from ..question import Question
 from ..reasons import reasons_alone
-from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STOPPED, of_every_plan
+from .conditions import (
+    ALL_TOGETHER,
+    MEMBERS,
+    STANDS_FOR_LAW,
+    STANDS_LONGER,
+    STOPPED,
+    of_every_plan,
+)
 from .lawful_plan import timed_under_law
 from .legal_question import LegalQuestion
 from .stars import Planned, planned_platoons
@@ -76,15 +83,18 @@ def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
     if len(question.ends) < 2:
         return Proof.of(answer.cost, answer.cost, common)
     stopped = (STOPPED,) if planned.unfinished else ()
-    if planned.bound is None:
+    if planned.bound is None or planned.waiting_bound is None:
         return _proved(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
     name = question.ends[answer.master or 0].vehicle
     tried = f"{planned.masters} of {planned.masters} masters tried"
     compared = (tried,) if question.fixed_master is None else ()
-    kept = f"master {name} on its own route, {STANDS_FOR_LAW}"
+    bound, stands = planned.bound, STANDS_FOR_LAW
+    if planned.waits or planned.waiting_bound >= answer.cost * (1 - NO_CHEAPER):
+        bound, stands = planned.waiting_bound, STANDS_LONGER
+    kept = f"master {name} on its own route, {stands}"
     aim = ALL_TOGETHER if question.problem.optimum == "system" else MEMBERS
     who = (kept, *compared, *stopped, ONE_STRETCH, aim)
-    return _proved(answer.cost, min(planned.bound, answer.cost), (*who, *common), any_plan)
+    return _proved(answer.cost, min(bound, answer.cost), (*who, *common), any_plan)
 
 
 def _proved(cost: float, bound: float, conditions: Sequence[str], any_plan: float) -> Proof:

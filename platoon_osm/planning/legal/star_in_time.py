@@ -119,6 +119,7 @@ def timed_star(
     timing = replace(
         best.timing,
         bound=min(best.timing.cost, max(one.timing.bound for one in found)),
+        waiting_bound=min(best.timing.cost, max(one.timing.waiting_bound for one in found)),
         proved=all(one.timing.proved for one in found),
         spans=sum(one.timing.spans for one in found),
     )
@@ -152,11 +153,14 @@ def _for_all(found: Platooned, share: float) -> Platooned:
             pays[row] = float(alone[row])
         else:
             together[row] = own
-    bound = timing.bound - (1.0 - share) * float(gain.sum())
+    away = (1.0 - share) * float(gain.sum())
     cost = timing.cost
     if timing.timetable is not None:
         cost = sum(pays) + star.master_alone - gained(star.gain, together)
-    timing = replace(timing, cost=cost, bound=min(bound, cost))
+    timing = replace(
+        timing, cost=cost, bound=min(timing.bound - away, cost),
+        waiting_bound=min(timing.waiting_bound - away, cost),
+    )  # fmt: skip
     return replace(found, timing=timing, together=together)
 
 

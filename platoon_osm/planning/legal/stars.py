@@ -48,6 +48,11 @@ class Planned:
     bound : float or None
         No plan with one platoon, and any master that was to be tried, costs less; None if there
         are several platoons.
+    waiting_bound : float or None
+        Likewise, of plans in which masters stand for any time at their stops; `bound` is of those
+        in which they stand for their law alone.
+    waits : bool
+        Whether a master stands longer for its company than its law asks for.
     tried : list of MasterTried
         What each master would give, the cheapest first.
     masters : int
@@ -65,6 +70,8 @@ class Planned:
     cost: float
     master: int | None = None
     bound: float | None = None
+    waiting_bound: float | None = None
+    waits: bool = False
     tried: list[MasterTried] = field(default_factory=list)
     masters: int = 0
     unfinished: bool = False
@@ -95,7 +102,7 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
         [runs_alone(route, k) for k, route in enumerate(question.alone)],
         [Driven(one.way, one.trip, rules)
          for one, rules in zip(legal.alone, legal.rules, strict=True)],
-        alone, bound=alone,
+        alone, bound=alone, waiting_bound=alone,
     )  # fmt: skip
     if len(everyone) < 2:
         return plan
@@ -106,13 +113,14 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
         return plan
     plan.company = len(first.joined) - 1
     plan.master, plan.bound = first.star.master, min(plan.bound or alone, plan.cost)
+    plan.waiting_bound = min(plan.waiting_bound or alone, plan.cost)
     several = question.problem.company == "anywhere" and question.problem.case in ("C", "best")
     free -= set(first.joined)
     while several and len(free) > 1:
         more = _best_star(legal, free, sorted(free), plan, most_spans)
         if more is None:
             break
-        plan.bound = None
+        plan.bound = plan.waiting_bound = None
         free -= set(more.joined)
     return plan
 
@@ -128,7 +136,7 @@ def _best_star(
     question = legal.question
     alone = float(question.solo.sum())
     best: Platooned | None = None
-    least, bounds = alone, [alone]
+    least, bounds, waiting = alone, [alone], [alone]
     order = {k: place for place, k in enumerate(question.by_length)}
     stars = sorted(
         _stars(legal, sorted(masters, key=order.__getitem__)), key=lambda star: star.bound
@@ -138,9 +146,11 @@ def _best_star(
     for star in stars:
         if star.bound >= least * (1 - NO_CHEAPER):
             bounds.append(star.bound)
+            waiting.append(star.bound)
             break  # those after it have bounds no better
         found = timed_star(legal, star, among, most)
         bounds.append(found.timing.bound)
+        waiting.append(found.timing.waiting_bound)
         plan.unfinished |= not found.timing.proved
         plan.spans += found.timing.spans
         plan.asked += found.timing.asked
@@ -152,9 +162,10 @@ def _best_star(
     if among is None:
         plan.tried = sorted(tried, key=lambda one: one.cost)
         plan.masters = len(stars)
-        plan.bound = min(bounds)
+        plan.bound, plan.waiting_bound = min(bounds), min(waiting)
     if best is None:
         return None
+    plan.waits |= best.timing.waits
     plan.cost -= alone - best.timing.cost
     for index, run in enumerate(best.ways.runs(best.together)):
         if index in best.joined:

@@ -133,8 +133,10 @@ class PlatoonTiming:
     bound : float
         No other departure or stops of those searched make the members cheaper in all than `cost`
         less `bound`.
+    waiting_bound : float
+        Likewise, whatever the master's stops last.
     proved : bool
-        Whether nothing is better.
+        Whether nothing is better of what was searched: where the master stands for its law alone.
     timetable : Timetable or None
         The master's; None if it has none.
     master_trip : LegalTrip or None
@@ -145,6 +147,8 @@ class PlatoonTiming:
         What all would pay alone.
     again_complete : bool
         Whether all ways in which members could join again were compared, if they may.
+    waits : bool
+        Whether the master stands longer than was searched, which is cheaper than all that was.
     evaluations : int
         Values of members computed.
     asked : int
@@ -157,12 +161,14 @@ class PlatoonTiming:
 
     cost: float
     bound: float
+    waiting_bound: float
     proved: bool
     timetable: Timetable | None
     master_trip: LegalTrip | None
     members: tuple[MemberTiming, ...] = ()
     alone_cost: float = float("nan")
     again_complete: bool = True
+    waits: bool = False
     evaluations: int = 0
     asked: int = 0
     spans: int = 0

@@ -7,7 +7,8 @@ returned has been driven with real places.
 What is searched: departures in whole seconds; stops at places of the master's way, of the lengths
 that the law names and those asked for; as many stops as its driving needs and `extra_stops` more,
 and no more daily rests than it needs, one more if there is no plan else. Of equally cheap plans one
-with few stops, whole breaks and an early departure is taken (`ties.py`).
+with few stops, whole breaks and an early departure is taken (`ties.py`). Then the master may stand
+longer at its stops where that makes the members cheaper (`longer_stops.py`).
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .again import Again, joined_again
+from .longer_stops import longer_stops, waiting_bound
 from .record import MemberTiming, PlatoonTiming, Real, Timetable, gained
 from .spans import SpanSearch
 from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
@@ -44,6 +46,7 @@ def search_platoon(
     plain: Marks | None = None,
     extra_stops: int = 1,
     lengths: tuple[int, ...] = (),
+    waits: bool = True,
 ) -> PlatoonTiming:
     """Return when a master leaves and where it stops, so that its members pay least in all.
 
@@ -71,6 +74,8 @@ def search_platoon(
         How many more stops are searched than the master's driving needs.
     lengths : tuple of int
         Lengths of pauses that are tried besides those that the law names [s].
+    waits : bool
+        Whether the master may stand longer at its stops for its members.
 
     Returns
     -------
@@ -81,48 +86,60 @@ def search_platoon(
     searches = StarSearches(star, real, roads, in_time, plain, extra_stops, lengths)
     begin, end = departures_of(star)
     needs = searches.needs(end)
-    found = PlatoonTiming(np.inf, np.inf, True, None, None)
+    found = PlatoonTiming(np.inf, np.inf, np.inf, True, None, None)
     for more in range(MOST_RESTS_MORE + 1):
         search = searches.search(needs, more)
         if search is None:
             break
         search.deadline, search.most_spans = began + time_limit_s, most_spans
         ended = search.run(begin, end)
-        found = _result(search, ended, began, again)
+        found = _result(search, ended, began, again, waits)
         if found.timetable is not None or not ended:
             break
     return found
 
 
-def _result(search: SpanSearch, ended: bool, began: float, again: Again | None) -> PlatoonTiming:
+def _result(
+    search: SpanSearch, ended: bool, began: float, again: Again | None, waits: bool
+) -> PlatoonTiming:
     star, some = search.star, search.numbers
     alone = float(star.alone.sum()) + star.master_alone
-    bound = search.bound
-    chosen = None
+    bound, span = search.bound, departures_of(star)
+    waiting = min(waiting_bound(search, *span), bound) if waits else bound
+    chosen, longer = None, None
     if search.found is not None:
         stops, departure = search.found
         chosen = choices_of(search, stops, departure)
-        if chosen is not None and ended:
-            pays = sum(one.cost if one.possible else some.penalty for one in chosen)
-            stops, departure = simplest(search, stops, departure, pays, *departures_of(star))
+        if chosen is not None:
+            pays = _paid(search, chosen)
+            if ended:
+                stops, departure = simplest(search, stops, departure, pays, *span)
+            if waiting < pays - search.tolerance:
+                longer = longer_stops(search, stops, departure, pays, *span)
+            stops, departure = longer or (stops, departure)
             chosen = choices_of(search, stops, departure)
     counts = (search.values.computed, len(search.trips.asked), search.spans)
     if search.found is None or chosen is None:
+        gains = float(np.maximum(star.gain, 0).sum())
         return PlatoonTiming(
-            np.inf, bound + star.master_alone - float(np.maximum(star.gain, 0).sum()),
-            ended, None, None, (), alone, True, *counts, time.perf_counter() - began,
+            np.inf, bound + star.master_alone - gains, waiting + star.master_alone - gains,
+            ended, None, None, (), alone, True, False, *counts, time.perf_counter() - began,
         )  # fmt: skip
-    pays = sum(one.cost if one.possible else some.penalty for one in chosen)
-    short = max(0.0, pays - bound) if not ended else 0.0
+    pays = _paid(search, chosen)
     table, complete = Timetable.of(star, departure, stops), True
     if again is not None:
         chosen, complete = joined_again(some, table, chosen, again)
     cost = cost_of(star, chosen)
     trip = search.trips.trip(some.master, 0, len(some.pos) - 1, stops, departure, 0)
     return PlatoonTiming(
-        cost, cost - short, ended, table, trip, tuple(chosen), alone, complete, *counts,
+        cost, cost - (0.0 if ended else max(0.0, pays - bound)), cost - max(0.0, pays - waiting),
+        ended, table, trip, tuple(chosen), alone, complete, longer is not None, *counts,
         time.perf_counter() - began,
     )  # fmt: skip
+
+
+def _paid(search: SpanSearch, chosen: Sequence[MemberTiming]) -> float:
+    return sum(one.cost if one.possible else search.numbers.penalty for one in chosen)
 
 
 def choices_of(search: SpanSearch, stops: Stops, departure: int) -> list[MemberTiming] | None:

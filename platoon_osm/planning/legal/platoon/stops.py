@@ -50,6 +50,8 @@ class MasterStops:
         The kernel, compiled or not.
     places : ndarray of int
         Positions where it may stop.
+    held : ndarray of int
+        What a stop may last, ascending [s].
     """
 
     numbers: StarNumbers
@@ -58,7 +60,7 @@ class MasterStops:
     lengths: tuple[int, ...] = ()
     next_stops: Callable[..., int] = next_stops
     places: Seconds = field(init=False)
-    _lengths: Seconds = field(init=False)
+    held: Seconds = field(init=False)
     _row: Seconds = field(init=False)
     _tau: Seconds = field(init=False)
 
@@ -76,7 +78,7 @@ class MasterStops:
             clocks_of.SURE_REST,
         )
         lengths = {int(self._row[one]) for one in named} | set(self.lengths)
-        self._lengths = np.array(sorted(one for one in lengths if one < FAR), np.int64)
+        self.held = np.array(sorted(one for one in lengths if one < FAR), np.int64)
 
     def states(self, stops: Stops, departure: int) -> Clocks | None:
         """Return the clocks after the last stop; None if that is not legal.
@@ -254,9 +256,9 @@ class MasterStops:
             return []
         v, some = self._row, self.numbers
         rests = self.rests - sum(length >= v[clocks_of.REST] for _, length in stops)
-        found = np.empty((len(self.places) * len(self._lengths), 5), np.int64)
+        found = np.empty((len(self.places) * len(self.held), 5), np.int64)
         count = self.next_stops(
-            v, self.places, self._tau, some.stay, self._lengths, stops[-1][0] if stops else 0,
+            v, self.places, self._tau, some.stay, self.held, stops[-1][0] if stops else 0,
             np.array(clocks, np.int64), left, rests, self.budget(stops, departure), found,
         )  # fmt: skip
         return [((a, b), (c, d, e)) for a, b, c, d, e in found[:count].tolist()]

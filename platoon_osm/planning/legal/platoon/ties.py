@@ -12,7 +12,7 @@ from . import clocks as clocks_of
 from .spans import SpanSearch
 from .stops import Stops
 
-__all__ = ["simplest"]
+__all__ = ["first_departure", "simplest"]
 
 MOST_SPANS = 300
 """Spans that are looked at for the first departure with some stops."""
@@ -43,13 +43,13 @@ def simplest(
     departure : int
         The earliest with them that was found [s].
     """
-    found = _first(search, stops, cost, begin, end)
+    found = first_departure(search, stops, cost, begin, end)
     departure = departure if found is None else found
     plainer = True
     while plainer:
         plainer = False
         for fewer in _plainer(search, stops):
-            found = _first(search, fewer, cost, begin, end)
+            found = first_departure(search, fewer, cost, begin, end)
             if found is not None:
                 stops, departure, plainer = fewer, found, True
                 break
@@ -68,8 +68,27 @@ def _plainer(search: SpanSearch, stops: Stops) -> Iterator[Stops]:
                     yield (*stops[:k], (place, whole), *stops[k + 2 :])
 
 
-def _first(search: SpanSearch, stops: Stops, cost: float, begin: int, end: int) -> int | None:
-    """Return the first departure at which some stops cost no more; None if none is found."""
+def first_departure(
+    search: SpanSearch, stops: Stops, cost: float, begin: int, end: int
+) -> int | None:
+    """Return the first departure at which some stops cost no more.
+
+    Parameters
+    ----------
+    search : SpanSearch
+        Ended.
+    stops : tuple of (int, int)
+        The master's.
+    cost : float
+        Of all vehicles, at most.
+    begin, end : int
+        The first and last departure [s].
+
+    Returns
+    -------
+    int or None
+        None if none is found [s].
+    """
     most = cost + search.tolerance
     spans = search.stops.allowed(search.star.road, stops, begin, end)
     left = [search.start(stops, None, *span) for span in reversed(spans)]
