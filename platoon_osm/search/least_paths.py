@@ -98,6 +98,27 @@ class LeastCosts:
             raise no_route(self.net, end, self.forward)
         return np.array(_chosen(self, end), np.int64)
 
+    def edges_to(self, nodes: Iterable[int]) -> list[int]:
+        """Return the edges of the paths to some nodes, or from them if not forward.
+
+        Parameters
+        ----------
+        nodes : iterable of int
+            The other ends; there is a way to each.
+
+        Returns
+        -------
+        list of int
+            Edge ids; those of equally good paths, too.
+        """
+        far = {node: float(self.dist[node]) for node in nodes}
+        most = max(far.values(), default=0.0)
+        ends = {node: most - own for node, own in far.items()}
+        limit = most * (1 + TIE)
+        return good_edges(
+            self.net, self.weight, self.dist, ends, limit, self.forward, self.root
+        ).edges
+
     def label(self, node: int) -> float:
         """Return what starting at a node costs.
 

@@ -102,6 +102,29 @@ def test_paths_from_many_starts(case, data):
 
 @EXAMPLES
 @given(ANY, st.data())
+def test_the_edges_to_many_nodes_are_those_of_their_paths(case, data):
+    net, weight = case
+    root = data.draw(st.integers(0, net.n - 1))
+    engine = ReferenceEngine(net, weight)
+    for forward in (True, False):
+        tree = engine.tree(root, forward)
+        reached = np.flatnonzero(np.isfinite(tree.dist)).tolist()
+        ends = data.draw(st.lists(st.sampled_from(reached), unique=True))
+        found = tree.edges_to(ends)
+        assert len(set(found)) == len(found)
+        assert set(found) >= {edge for end in ends for edge in tree.path(end).tolist()}
+        hair = 3 * TIE * max((tree.dist[end] for end in ends), default=0.0)
+        for edge in found:
+            near, far = int(net.tail[edge]), int(net.head[edge])
+            if not forward:
+                near, far = far, near
+            onward = engine.tree(far, forward).dist
+            least = tree.dist[near] + weight[edge] + onward[ends] - tree.dist[ends]
+            assert least.min() <= hair
+
+
+@EXAMPLES
+@given(ANY, st.data())
 def test_shared_stretches(case, data):
     net, weight = case
     node = st.integers(0, net.n - 1)

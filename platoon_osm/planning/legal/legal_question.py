@@ -123,6 +123,7 @@ class LegalQuestion:
             for trip, asked in zip(problem.trips, self._asked, strict=True)
         )  # fmt: skip
         self._open: dict[tuple[Vehicle, int], bool] = {}
+        self._ways: dict[tuple[Vehicle, int, int, int], tuple[Edges, WayPoints]] = {}
         moments = [at for one in named for at in one.values()]
         self._about = min(moments) - DAY_S, max(moments) + 2 * DAY_S
         self._hours = RoadHours(
@@ -185,6 +186,30 @@ class LegalQuestion:
             self.question.net, edges, drive_s, self.vehicles[index], keep,
             lambda edge: self.closed(index, edge), **known,
         )  # fmt: skip
+
+    def cheapest_way(self, index: int, start: int, end: int) -> tuple[Edges, WayPoints]:
+        """Return the cheapest way of a vehicle alone between two nodes, worked out once.
+
+        Parameters
+        ----------
+        index : int
+            The vehicle's position.
+        start, end : int
+            Nodes of the network with places.
+
+        Returns
+        -------
+        edges : ndarray of int
+            In driving order; none from a node to itself.
+        way : WayPoints
+            Its points.
+        """
+        # Vehicles that are alike drive alike, whoever leads.
+        key = self.vehicles[index], int(self.question.fleet.kind[index]), start, end
+        if key not in self._ways:
+            edges = self.question.routers[index].route(start, end)
+            self._ways[key] = edges, self.way(index, edges)
+        return self._ways[key]
 
     def _alone(self, index: int) -> TripAlone:
         """Return the trip by the cheapest route that is in time, or by the one least late."""

@@ -43,7 +43,6 @@ class MemberWays:
 
     def __init__(self, legal: LegalQuestion, own: StarWay) -> None:
         self.legal, self.own = legal, own
-        self._own: dict[tuple[int, int, int], tuple[Edges, WayPoints]] = {}
         self._alone: dict[tuple[int, int, int], WayPoints] = {}
         self.trips = RoadTrips(
             own.times,
@@ -99,8 +98,9 @@ class MemberWays:
             Its points.
         """
         star = self.own.star
-        origin = self.legal.question.ends[star.members[row]].origin
-        return self._by_itself(row, origin, int(star.nodes[i]))
+        member = star.members[row]
+        origin = self.legal.question.ends[member].origin
+        return self.legal.cheapest_way(member, origin, int(star.nodes[i]))
 
     def onward(self, row: int, j: int) -> tuple[Edges, WayPoints]:
         """Return a member's way from a node of the master's route.
@@ -120,16 +120,9 @@ class MemberWays:
             Its points.
         """
         star = self.own.star
-        destination = self.legal.question.ends[star.members[row]].destination
-        return self._by_itself(row, int(star.nodes[j]), destination)
-
-    def _by_itself(self, row: int, start: int, end: int) -> tuple[Edges, WayPoints]:
-        """Return a member's own way between two nodes, worked out once."""
-        if (row, start, end) not in self._own:
-            member = self.own.star.members[row]
-            edges = self.own.star.routers[member].route(start, end)
-            self._own[row, start, end] = edges, self.legal.way(member, edges)
-        return self._own[row, start, end]
+        member = star.members[row]
+        destination = self.legal.question.ends[member].destination
+        return self.legal.cheapest_way(member, int(star.nodes[j]), destination)
 
     def _between(self, row: int, start: int, end: int) -> WayPoints:
         """Return the master's route between two of its nodes, driven by a member alone."""
@@ -157,8 +150,7 @@ class MemberWays:
                 if not found[row]:
                     break
                 tree = trees.tree(root, forward)
-                nodes = star.nodes[np.isfinite(costs[row])].tolist()
-                edges = {int(edge) for node in nodes for edge in tree.path(node)}
+                edges = tree.edges_to(star.nodes[np.isfinite(costs[row])].tolist())
                 found[row] = all(self.legal.is_open(member, edge) for edge in edges)
         return found
 

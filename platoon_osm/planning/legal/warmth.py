@@ -11,6 +11,7 @@ from ...driving.state import RESTED
 from .driver.kernel import LABELS
 from .driver.one_driver import fastest
 from .driver.road import NO_LIMIT, Road, road_of
+from .platoon.again import Again
 from .platoon.compiled import KERNELS
 from .platoon.real import RoadTrips
 from .platoon.search import search_platoon
@@ -55,7 +56,7 @@ def warm_up() -> float:
         gain=np.full(3, 360.0),
     )
     ways = RoadTrips(star, lambda _, node: _first(road, node), lambda _, node: _last(road, node))
-    search_platoon(star, ways, 1.0, roads=ways)
+    search_platoon(star, ways, 1.0, roads=ways, again=Again(star.entry, ways.trip))
     return time.perf_counter() - begin
 
 

@@ -10,33 +10,32 @@ cheapest.
 
 from __future__ import annotations
 
-import heapq
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..driver.road import LegalTrip
-from . import clocks as clocks_of
+from .compiled import kernels_for
 from .numbers import StarNumbers
 from .record import MemberTiming, Timetable
 
 __all__ = ["Again", "joined_again"]
 
 Floats = NDArray[np.float64]
-Seconds = NDArray[np.int64]
-Four = tuple[int, int, int, int]
-State = tuple[int, int, int, int]
-"""Driven, with no part of a break and with the first; today; when duty began."""
 
-FAR = clocks_of.FAR
+NO_CHEAPER = 1e-9
+"""What costs less by this share costs the same."""
 
 MOST_LOOKED = 20_000
 """Quadruples that are looked at for a member."""
 
 MOST_ASKED = 60
 """Real trips that are asked for a member."""
+
+FEW_ASKED = 3
+"""So many are found at first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,130 +88,45 @@ def joined_again(
 def _best(
     some: StarNumbers, table: Timetable, row: int, one: MemberTiming, again: Again
 ) -> tuple[MemberTiming, bool]:
-    shift, asked = some.first_node, 0
-    for looked, (cost, four) in enumerate(_in_order(some, table, row, again, one.cost)):
-        if looked >= MOST_LOOKED or asked >= MOST_ASKED:
-            return one, False
-        if not _could(some, table, row, four):
-            continue
-        asked += 1
-        i, j, k, m = (at - shift for at in four)
-        trip = again.trip(row, [(i, j), (k, m)], table)
-        if trip is not None:
-            return replace(
-                one, cost=cost, merge=i, separate=m, trip=trip, possible=True,
-                stretches=((i, j), (k, m)),
-            ), True  # fmt: skip
-    return one, True
+    shift, done = some.first_node, 0
+    for most_asked in (FEW_ASKED, MOST_ASKED):
+        costs, fours, looked = _in_order(some, table, row, again, one.cost, most_asked)
+        for cost, four in zip(costs[done:], fours[done:], strict=True):
+            i, j, k, m = (at - shift for at in four)
+            trip = again.trip(row, [(i, j), (k, m)], table)
+            if trip is not None:
+                return replace(
+                    one, cost=cost, merge=i, separate=m, trip=trip, possible=True,
+                    stretches=((i, j), (k, m)),
+                ), True  # fmt: skip
+        done = len(fours)
+        if done < most_asked:
+            return one, looked < MOST_LOOKED
+    return one, False
 
 
 def _in_order(
-    some: StarNumbers, table: Timetable, row: int, again: Again, most: float
-) -> Iterator[tuple[float, Four]]:
-    """Yield quadruples that cost less than the member pays, the cheapest first."""
+    some: StarNumbers, table: Timetable, row: int, again: Again, most: float, most_asked: int
+) -> tuple[list[float], list[list[int]], int]:
+    """Return what could be driven and is cheaper, the cheapest first, and how many were looked at.
+
+    Points are those of the star's numbers.
+    """
     n = len(some.pos)
     arrives, leaves = table.arrive_s[some.pos], table.leave_s[some.pos]
     own = some.platoon[row]
-    nodes = slice(some.first_node, some.first_node + again.solo_along.shape[1])
     alone = np.full(n, np.inf)
-    alone[nodes] = again.solo_along[row]
+    alone[some.first_node : some.first_node + again.solo_along.shape[1]] = again.solo_along[row]
     into = np.where(some.ready[row] <= leaves, some.entry[row] - own, np.inf)
     out = np.where(arrives <= some.must[row], some.leave[row] + own, np.inf)
-    heap: list[tuple[float, int, int, int, int]] = []
-    before = [np.argsort(into[:j], kind="stable") for j in range(n)]
-    behind = [k + 1 + np.argsort(out[k + 1 :], kind="stable") for k in range(n)]
-    paused = np.searchsorted(np.array([at for at, _ in table.stops], np.int64), some.pos, "left")
-    until = np.searchsorted(np.array([at for at, _ in table.stops], np.int64), some.pos, "right")
-
-    def push(j: int, k: int, a: int, b: int) -> None:
-        if a < len(before[j]) and b < len(behind[k]):
-            between = own[j] - alone[j] + alone[k] - own[k]
-            cost = into[before[j][a]] + between + out[behind[k][b]]
-            if cost < most * (1 - 1e-9):
-                heapq.heappush(heap, (float(cost), j, k, a, b))
-
-    for j in range(1, n - 1):
-        if not np.isfinite(alone[j]):
-            continue
-        for k in range(j + 1, n - 1):
-            if np.isfinite(alone[k]) and until[k] > paused[j]:
-                push(j, k, 0, 0)
-    while heap:
-        cost, j, k, a, b = heapq.heappop(heap)
-        yield cost, (int(before[j][a]), j, k, int(behind[k][b]))
-        push(j, k, a, b + 1)
-        if b == 0:
-            push(j, k, a + 1, 0)
-
-
-def _could(some: StarNumbers, table: Timetable, row: int, four: Four) -> bool:
-    """Whether a member could drive two stretches, with pauses anywhere on its own ways."""
-    v = some.vehicles[row]
-    i, j, k, m = four
-    arrives, leaves = table.arrive_s[some.pos], table.leave_s[some.pos]
-    entered = np.empty(4, np.int64)
-    if not clocks_of.entry_state(v, int(some.approach[row, i]), int(leaves[i]), entered):
-        return False
-    free, parted, today, duty = entered.tolist()
-    first = _with_platoon(some, table, row, (free, parted, today, duty), i, j)
-    if first is None:
-        return False
-    rejoins = _alone(v, first, int(some.tau[some.pos[k]] - some.tau[some.pos[j]]),
-                     int(leaves[k] - arrives[j]), int(leaves[k]))  # fmt: skip
-    last = None if rejoins is None else _with_platoon(some, table, row, rejoins, k, m)
-    if last is None:
-        return False
-    stands = int(leaves[m] - arrives[m])
-    after = _paused(v, last, stands, int(leaves[m]))
-    onward = int(some.onward[row, m])
-    ends = min(
-        clocks_of.onward_at(v, *state, at, onward, onward)
-        for state, at in ((last, int(arrives[m])), (after, int(leaves[m])))
-    )
-    return bool(ends <= v[clocks_of.ARRIVAL])
-
-
-def _with_platoon(
-    some: StarNumbers, table: Timetable, row: int, state: State, begin: int, end: int
-) -> State | None:
-    v, clock = some.vehicles[row], some.clocks[some.clock_of[row]]
-    low, high = int(some.pos[begin]), int(some.pos[end])
-    at = low
-    for place, length in (*(one for one in table.stops if low < one[0] < high), (high, -1)):
-        step = int(clock[place] - clock[at])
-        at = place
-        free, parted, today, duty = state
-        free = free + step if free + step <= v[clocks_of.SPELL] else FAR
-        parted = parted + step if parted + step <= v[clocks_of.SPELL] else FAR
-        state = free, parted, today + step, duty
-        tired = min(free, parted) >= FAR or today + step > v[clocks_of.DAY]
-        if tired or table.arrive_s[place] - duty > v[clocks_of.WINDOW]:
-            return None
-        if length >= 0:
-            state = _paused(v, state, length, int(table.leave_s[place]))
-    return state
-
-
-def _paused(v: Seconds, state: State, length: int, leaves: int) -> State:
-    free, parted, today, duty = state
-    if length >= v[clocks_of.REST]:
-        return 0, 0, 0, leaves
-    free, parted = clocks_of.paused(v, free, parted, length)
-    return int(free), int(parted), today, duty
-
-
-def _alone(v: Seconds, state: State, drive: int, lasts: int, leaves: int) -> State | None:
-    """Return clocks at least as good as any after driving alone for some time, with pauses."""
-    free, parted, today, duty = state
-    spare, driven, part = lasts - drive, min(free, parted), int(parted < FAR)
-    if spare < 0:
-        return None
-    if spare >= v[clocks_of.REST]:
-        return 0, 0, 0, leaves
-    breaks = clocks_of.needed(int(v[clocks_of.SPELL]), driven, drive)
-    if spare < clocks_of.breaks_s(v, breaks, part) or today + drive > v[clocks_of.DAY]:
-        return None
-    if spare >= clocks_of.breaks_s(v, breaks + 1, part):
-        return 0, 0, today + drive, duty
-    left = max(0, driven + drive - breaks * int(v[clocks_of.SPELL]))
-    return left, left, today + drive, duty
+    stops = np.array(table.stops, np.int64).reshape(-1, 2)
+    fours = np.empty((most_asked, 4), np.int64)
+    costs = np.empty(most_asked)
+    looked = kernels_for(n * len(some.alone)).two_stretches(
+        some.vehicles[row], some.clocks[some.clock_of[row]], some.approach[row], some.onward[row],
+        some.pos, some.tau, stops[:, 0].copy(), stops[:, 1].copy(), table.arrive_s, table.leave_s,
+        own, alone, into, out, np.argsort(into, kind="stable"), np.argsort(out, kind="stable"),
+        most * (1 - NO_CHEAPER), MOST_LOOKED, fours, costs,
+    )  # fmt: skip
+    count = int((fours[:, 0] >= 0).sum())
+    return costs[:count].tolist(), fours[:count].tolist(), looked

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ....search.hierarchy.runtime.where_it_pays import WhereItPays
-from . import kernel, next_stops, own_places, own_ways
+from . import again_kernel, kernel, next_stops, own_places, own_ways
 
 __all__ = ["KERNELS", "Kernels", "kernels_for"]
 
@@ -28,6 +28,8 @@ class Kernels:
     ----------
     evaluate, next_stops, plain_ways, entries_by_places, exits_by_places : callable
         Of the files that hold them.
+    two_stretches : callable
+        Likewise.
     """
 
     evaluate: Kernel = kernel.evaluate
@@ -35,6 +37,7 @@ class Kernels:
     plain_ways: Kernel = own_ways.plain_ways
     entries_by_places: Kernel = own_places.entries_by_places
     exits_by_places: Kernel = own_places.exits_by_places
+    two_stretches: Kernel = again_kernel.two_stretches
 
 
 _PLACES = own_places.HELPERS
@@ -45,6 +48,7 @@ KERNELS: tuple[WhereItPays[Kernel], ...] = (
     WhereItPays(own_ways.plain_ways, COMPILING_S, own_ways.HELPERS),
     WhereItPays(own_places.entries_by_places, COMPILING_S, _PLACES),
     WhereItPays(own_places.exits_by_places, COMPILING_S, _PLACES),
+    WhereItPays(again_kernel.two_stretches, COMPILING_S, again_kernel.HELPERS),
 )
 """In the order of `Kernels`."""
 
