@@ -49,6 +49,9 @@ class Limits:
         From the end of a rest to the end of driving, if a full daily rest follows [s].
     long_window_s : float
         The same if a reduced one follows [s].
+    rest_in_window : bool
+        Whether that rest itself has to begin by then; if not, nothing is driven after it, which
+        is one moment for both rests.
     week_s, fortnight_s : float
         Driving in a calendar week from Monday 0:00 UTC, and in two [s].
     weekly_rest_s : float
@@ -78,6 +81,7 @@ class Limits:
     reduced_rests: int = 0
     window_s: float = math.inf
     long_window_s: float = math.inf
+    rest_in_window: bool = True
     week_s: float = math.inf
     fortnight_s: float = math.inf
     weekly_rest_s: float = math.inf
@@ -93,12 +97,17 @@ class Limits:
                 good = value is None or (len(value) == 2 and all(map(_is_time, value)))
             elif item.name in ("long_days", "reduced_rests"):
                 good = is_whole(value) and value >= 0
-            elif item.name == "calendar_weeks":
+            elif item.name in ("calendar_weeks", "rest_in_window"):
                 good = isinstance(value, bool)
             else:
                 good = _is_time(value)
             if not good:
                 raise ScenarioError(f"driving rules: {item.name} is {brief(value)}; give 0 or more")
+        if not self.rest_in_window and self.window_s != self.long_window_s:
+            raise ScenarioError(
+                "driving rules: window_s and long_window_s differ, but no rest has to begin within "
+                "them; give them alike"
+            )
 
     @property
     def limits_driving(self) -> bool:

@@ -15,11 +15,12 @@ from ..kinds import kind_of
 from ..registry import Registry
 from .eu561 import EU561, EU561_TEAM
 from .limits import UNLIMITED, Limits
+from .state import DriverState
 from .us395 import US395
 
 __all__ = [
     "NO_RULES", "RULES", "Drive", "DrivingRules", "Rules", "Violation", "limits_of",
-    "places_pauses", "rules_of", "spread_of",
+    "places_pauses", "rules_of", "spread_of", "team_of",
 ]  # fmt: skip
 
 SPREAD = 2700.0 / 32400.0
@@ -218,6 +219,29 @@ def limits_of(rules: DrivingRules, drivers: int = 1) -> Limits:
     """
     ask = getattr(rules, "limits", None)
     return UNLIMITED if ask is None else ask(drivers)
+
+
+def team_of(rules: DrivingRules, state: DriverState) -> Limits | None:
+    """Return what a second driver would make of a vehicle.
+
+    Parameters
+    ----------
+    rules : DrivingRules
+        Of a problem.
+    state : DriverState
+        Of who drives it now.
+
+    Returns
+    -------
+    Limits or None
+        Of two drivers; None if there are two, or under rules that are not planned for two.
+    """
+    if state.drivers == 2:
+        return None
+    try:
+        return limits_of(rules, 2)
+    except ScenarioError:
+        return None
 
 
 def spread_of(rules: DrivingRules) -> float:

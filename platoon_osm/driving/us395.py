@@ -17,7 +17,7 @@ MIN, H = 60.0, 3600.0
 US395 = Limits(
     spell_s=8 * H, break_s=30 * MIN,
     day_s=11 * H, long_day_s=11 * H, rest_s=10 * H, reduced_rest_s=10 * H,
-    window_s=14 * H, long_window_s=14 * H,
+    window_s=14 * H, long_window_s=14 * H, rest_in_window=False,
     week_s=70 * H, weekly_rest_s=34 * H, calendar_weeks=False,
 )  # fmt: skip
 """Hours on duty fall out of the 8 days only by 34 h off duty here, so none is ever too much."""

@@ -191,14 +191,16 @@ def _driven(
     after: _Choice, drives: Sequence[Activity], driven_s: int, day: Day
 ) -> Iterator[_Choice]:
     """Yield the choices of a week in which a day is a long one, if it is."""
-    total_s = driven_s + sum(drive.driven_s for drive in drives)
+    own_s = sum(drive.driven_s for drive in drives)
+    total_s = driven_s + own_s
     weeks = {day.start_s // WEEK, (day.end_s - 1) // WEEK} if total_s > DRIVING_S else set()
     usable = [week for week in sorted(weeks) if after.long_days.count(week) < MOST_LONG_DAYS]
     used: list[tuple[int, ...]] = [(week,) for week in usable] or [()]
     for week in used:
         most_s = LONG_DRIVING_S if week else DRIVING_S
         found = after.found
-        if total_s > most_s:
+        # What was too much before the record begins is no driving of it.
+        if total_s > most_s and own_s:
             at_s = _when(drives, driven_s, most_s, day)
             text = f"{clock_span(total_s)} driven in a day, {clock_span(most_s)} allowed"
             found += (Violation("561/2006 Art. 6(1)", at_s, total_s - most_s, text),)

@@ -1,5 +1,7 @@
 """What a driver has behind it, and the rules there are: names, units, and what is refused."""
 
+from dataclasses import replace
+
 import pytest
 
 from platoon_osm import Trip
@@ -7,6 +9,7 @@ from platoon_osm.driving.eu561 import EU561, EU561_TEAM
 from platoon_osm.driving.limits import UNLIMITED, Limits
 from platoon_osm.driving.rules import RULES, limits_of, rules_of, spread_of
 from platoon_osm.driving.state import RESTED, DriverState, state_of
+from platoon_osm.driving.us395 import US395
 from platoon_osm.errors import ScenarioError
 
 
@@ -66,3 +69,9 @@ def test_limits_are_numbers():
         Limits(spell_s=-1)
     with pytest.raises(ScenarioError, match="parts_s"):
         Limits(parts_s=(1.0,))
+
+
+def test_a_window_that_no_rest_has_to_keep_is_one():
+    assert not US395.rest_in_window
+    with pytest.raises(ScenarioError, match="window_s and long_window_s differ"):
+        replace(EU561, rest_in_window=False)

@@ -170,6 +170,10 @@ DAILY_DRIVING = [
     day("1h drive", today_h=8, duty_h=9, **LONG_USED),
     day("1h1m drive", "Art. 6(1) Mon 07:00 +1", today_h=8, duty_h=9, **LONG_USED),
     day("30m drive", "Art. 6(1) Mon 06:00 +90", today_h=11, duty_h=12),
+    # too much before the record begins, and a rest at once
+    day("11h rest, 30m drive", today_h=11, duty_h=12),
+    day("11h rest, 30m drive", today_h=9.5, duty_h=12, **LONG_USED),
+    day("1m drive, 11h rest, 30m drive", "Art. 6(1) Mon 06:00 +61", today_h=11, duty_h=12),
     day("20h drive/50", "Art. 7 Mon 15:00 +330", "Art. 8(2) Mon 21:00 +300",
         "2002/15 Art. 5(1) Mon 18:00 +240", "2002/15 Art. 5(1) Tue 00:00 +45"),
     day("18h2m drive/50", "Art. 7 Mon 15:00 +271", "Art. 6(1) Tue 00:00 +1",

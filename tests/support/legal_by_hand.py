@@ -95,8 +95,10 @@ def paused(old, start, stands, limits, monday):
         new, driven=0, part=False, today=0, began=end, worked=0, long_week=(end - monday) // WEEK,
         long_days=old.long_days if (end - monday) // WEEK == old.long_week else 0,
     )  # fmt: skip
-    full = start - old.began <= limits.window_s
-    spare = start - old.began <= limits.long_window_s and old.reduced < limits.reduced_rests
+    due = limits.rest_in_window
+    full = not due or start - old.began <= limits.window_s
+    spare = start - old.began <= limits.long_window_s or not due
+    spare = spare and old.reduced < limits.reduced_rests
     if stands >= limits.rest_s and full:
         yield fresh
     if stands >= limits.reduced_rest_s and spare:

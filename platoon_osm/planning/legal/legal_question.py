@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ...driving.rules import limits_of
+from ...driving.rules import limits_of, team_of
 from ...errors import NoLegalTripError, ScenarioError
 from ...network.placed import PlacedNetwork, network_below
 from ...plans.clock import Clock
@@ -31,6 +31,7 @@ from .driver.one_driver import fastest
 from .driver.road import LegalTrip
 from .platoon.star_times import OPEN_S, Span, VehicleRules
 from .way_points import WayPoints, way_points
+from .why_no_trip import nothing_left, why_no_trip
 
 __all__ = ["LegalQuestion", "TripAlone"]
 
@@ -236,6 +237,8 @@ class LegalQuestion:
         return max(late, float(own.after_latest_s))
 
     def _by(self, index: int, edges: Edges) -> TripAlone:
+        if len(edges) and (why := nothing_left(self.rules[index])):
+            raise self._no_trip(index, why)
         for near_s in (None, 0.0):
             way = self.way(index, edges, near_s=near_s)
             for keeps_latest in (True, False):
@@ -244,11 +247,24 @@ class LegalQuestion:
                     latest = self._asked[index].latest
                     late = 0 if keeps_latest or latest is None else trip.departure_s - int(latest)
                     return TripAlone(way, trip, max(late, 0))
-        name = self.question.ends[index].vehicle
-        raise NoLegalTripError(
-            f"{name}: no trip keeps the driving rules {self.question.problem.rules.name!r}; give "
-            "its driver a rest before, or two drivers"
+        raise self._no_trip(index, self._why_none(index, edges, way))
+
+    def _no_trip(self, index: int, why: str) -> NoLegalTripError:
+        name, law = self.question.ends[index].vehicle, self.question.problem.rules.name
+        return NoLegalTripError(f"{name}: no trip keeps the driving rules {law!r}: {why}")
+
+    def _why_none(self, index: int, edges: Edges, way: WayPoints) -> str:
+        """Return why a vehicle has no legal trip on a way."""
+        question, asked, rules = self.question, self._asked[index], self.rules[index]
+        earliest, arrival = (
+            None if at is None else int(at) for at in (asked.earliest, asked.arrival)
         )
+        if earliest is None and arrival is None:
+            earliest = 0 if asked.latest is None else int(asked.latest)
+        return why_no_trip(
+            question.net, edges, way, rules, team_of(question.problem.rules, rules.state),
+            earliest, arrival, self.monday_s,
+        )  # fmt: skip
 
     def _fastest(self, index: int, way: WayPoints, keeps_latest: bool) -> LegalTrip | None:
         asked, rules = self._asked[index], self.rules[index]

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...driving.limits import Limits
-from ...driving.rules import DrivingRules, limits_of
-from ...errors import ScenarioError
+from ...driving.rules import team_of
 from ...plans.clock import late_by
 from ...plans.lateness import WAY_OUT
 from .driver.why_not import why_not
@@ -46,7 +44,7 @@ def what_would_do(legal: LegalQuestion) -> Iterator[str]:
     problem = legal.question.problem
     for index in late[:MOST]:
         asked, own, rules = legal.asked[index], legal.alone[index], legal.rules[index]
-        team = None if rules.state.drivers == 2 else _team(problem.rules)
+        team = team_of(problem.rules, rules.state)
         earliest, latest, arrival = (
             None if at is None else int(at) for at in (asked.earliest, asked.latest, asked.arrival)
         )
@@ -63,11 +61,3 @@ def what_would_do(legal: LegalQuestion) -> Iterator[str]:
             yield f"{name} {WAY_OUT} if it might leave later by {late_by(found.later_s)}"
         for remedy in found.remedies:
             yield f"{name} {WAY_OUT} {REMEDIES[remedy]}"
-
-
-def _team(rules: DrivingRules) -> Limits | None:
-    """Return what two drivers may; None under rules that know none."""
-    try:
-        return limits_of(rules, 2)
-    except ScenarioError:
-        return None

@@ -98,12 +98,16 @@ def apart(closed):
     return found
 
 
-def check(seed, *, bans=0, appointments=0, relief=False, weeks=False):
+def check(seed, *, bans=0, appointments=0, relief=False, weeks=False, any_time=False):
     """Compare a drawn trip with all trips; return whether there is one."""
     rng = random.Random(seed)
     step = WEEK // 24 if weeks else STEP
     limits = drawn_limits(rng, step, weeks)
     state = drawn_state(rng, step, weeks)
+    if any_time:
+        # Nothing is driven after the window, but rests may begin whenever they will.
+        limits = replace(limits, rest_in_window=False, long_window_s=limits.window_s)
+        state = replace(state, duty_s=rng.randint(5, 14) * step + state.driven_today_s)
     state_at = None if rng.random() < 0.2 else rng.randint(-2, 2) * step
     earliest = (state_at or 0) + rng.randint(0, 3) * step
     latest = None if rng.random() < 0.6 else earliest + rng.randint(0, 6) * step
@@ -149,7 +153,8 @@ DRAWS = 50
     "given",
     [
         {}, {"bans": 1}, {"bans": 3}, {"appointments": 1}, {"appointments": 2, "bans": 1},
-        {"relief": True, "bans": 1}, {"weeks": True},
+        {"relief": True, "bans": 1}, {"weeks": True}, {"any_time": True},
+        {"any_time": True, "bans": 1},
     ],
     ids=str,
 )  # fmt: skip

@@ -57,7 +57,8 @@ def numbers_of(limits: Limits, pooled: bool = False) -> IntArray:
         `NO_LIMIT` if it is not taken; then the longest spell,
         spell of work, pause that ends one, day, long day, long days, window, long window, reduced
         rests, week, fortnight, what ends a weekly rest is due after, time beside that is a break,
-        whether weeks are those of the calendar, and whether driving is pooled [s].
+        whether weeks are those of the calendar, whether driving is pooled, and whether rests begin
+        within the windows [s].
     """
     two = limits.change_s > 0
     pooled = pooled and two
@@ -85,7 +86,7 @@ def numbers_of(limits: Limits, pooled: bool = False) -> IntArray:
         _down(limits.week_s / share),
         _down(limits.fortnight_s / share) if limits.calendar_weeks else NO_LIMIT,
         _down(limits.weekly_after_s), whole + ROUNDED_S if two else 0, int(limits.calendar_weeks),
-        int(pooled),
+        int(pooled), int(limits.rest_in_window),
     )  # fmt: skip
     return np.array(numbers, dtype=np.int64)
 

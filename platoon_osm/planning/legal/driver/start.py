@@ -20,6 +20,7 @@ from .label_search import (
     CLOSES,
     COLUMNS,
     DAY,
+    DUE,
     DUTY,
     DUTY_MOST,
     DUTY_WEEK,
@@ -31,6 +32,7 @@ from .label_search import (
     LAST_WEEK,
     LASTS,
     LONG_DAYS,
+    LONG_WINDOW,
     MOST_WEEK,
     OPENS,
     OTHER_BROKEN,
@@ -183,6 +185,9 @@ def _as_of(state: DriverState, at_s: int, numbers: IntArray, monday_s: int) -> I
     """Return the label of a driver who stands at the origin at a moment."""
     label = np.zeros(COLUMNS, dtype=np.int64)
     duty = math.ceil(state.duty_s or 0.0)
+    if not numbers[DUE]:
+        # Nobody drives after the window, however long it has been over; a rest may begin.
+        duty = min(duty, int(numbers[LONG_WINDOW]))
     broken = math.ceil(state.driven_since_break_s)
     label[TIME] = label[GONE_MOST] = at_s
     label[BROKEN] = label[WORKED] = broken
