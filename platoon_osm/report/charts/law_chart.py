@@ -1,12 +1,13 @@
-"""The law's clocks along each vehicle's day, as shares of what is allowed, and the most of each."""
+"""The law's clocks along each driver's day, as shares of what is allowed, and the most of each."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from operator import attrgetter
+from typing import NamedTuple
 
 from ..document.model import Document
-from ..document.model_law import Clocks, Law
+from ..document.model_law import Clocks, DriverClocks, Law
 from ..document.model_vehicle import Vehicle
 from ..document.status import law_name
 from ..drawing.crowd import CROWD, MOST_SPOKEN
@@ -31,7 +32,7 @@ CLOCKS = {"spell": "law.filled", "day": "law.line", "duty": "law.dots"}
 
 
 def law_chart(document: Document) -> Tree:
-    """Return the clocks of all vehicles, a row each, and a table of the most of each clock.
+    """Return the clocks of all drivers, a row each, and a table of the most of each clock.
 
     Parameters
     ----------
@@ -58,8 +59,9 @@ def law_chart(document: Document) -> Tree:
             "chart": NOTHING if crowd else _chart(document, law),
             "density": " compact" if crowd else "",
             "rows": tuple(
-                _table_row(index, vehicle, clocks)
+                row
                 for index, (vehicle, clocks) in enumerate(vehicles)
+                for row in _table_rows(index, vehicle, clocks)
             ),
             "note": NOTHING if crowd else Piece("unit-note", {"note": " ".join(_notes(law))}),
         },
@@ -80,10 +82,10 @@ def _chart(document: Document, law: Law) -> Piece:
     begin, end = schedule.begin_s, schedule.end_s
     per_second = (RIGHT - LEFT) / max(end - begin, 1.0)
     zero = LEFT - begin * per_second
-    bottom = TOP + ROW * len(law.vehicles)
+    drawn = list(_drawn(document, law))
+    bottom = TOP + ROW * len(drawn)
     ticks = day_scale(schedule.clock, begin, end, lambda at: zero + at * per_second, (0.0, WIDTH))
     two = any(tick.below for tick in ticks)
-    named = list(zip(document.vehicles, law.vehicles, strict=True))
     return Piece(
         "law-chart",
         {
@@ -95,27 +97,41 @@ def _chart(document: Document, law: Law) -> Piece:
             "per_second": f"{per_second:.9g}",
             "ticks": tuple(ticks_of(ticks, zero, per_second, TOP - 4, bottom)),
             "rows": tuple(
-                _row(index, vehicle, clocks, zero, per_second, TOP + ROW * index)
-                for index, (vehicle, clocks) in enumerate(named)
+                _row(one, zero, per_second, TOP + ROW * place) for place, one in enumerate(drawn)
             ),
-            "title": say("law.title", who="; ".join(_told(*one) for one in named[:MOST_SPOKEN])),
+            "title": say("law.title", who="; ".join(map(_told, drawn[:MOST_SPOKEN]))),
         },
     )
 
 
-def _told(vehicle: Vehicle, clocks: Clocks) -> str:
+class _Drawn(NamedTuple):
+    """A driver, of two by its number."""
+
+    place: int
+    vehicle: Vehicle
+    clocks: DriverClocks
+    number: str
+
+
+def _drawn(document: Document, law: Law) -> Iterator[_Drawn]:
+    for index, (vehicle, own) in enumerate(zip(document.vehicles, law.vehicles, strict=True)):
+        for number, clocks in enumerate(own.each, 1):
+            yield _Drawn(index, vehicle, clocks, str(number) if len(own.each) > 1 else "")
+
+
+def _told(one: _Drawn) -> str:
+    clocks, letter = one.clocks, one.vehicle.letter
     return say(
         "law.row",
-        vehicle=vehicle.letter,
+        vehicle=f"{letter}, {say('law.driver', number=one.number)}:" if one.number else letter,
         spell=clock_span(clocks.spell_s),
         day=clock_span(clocks.day_s),
         duty=clock_span(clocks.duty_s),
     )
 
 
-def _row(
-    index: int, vehicle: Vehicle, clocks: Clocks, zero: float, per_second: float, y: float
-) -> Piece:
+def _row(one: _Drawn, zero: float, per_second: float, y: float) -> Piece:
+    index, vehicle, clocks, number = one
     base = ROW - 8.0
 
     def path(values: Sequence[float]) -> str:
@@ -139,6 +155,7 @@ def _row(
             "colour": vehicle.colour,
             "letter": vehicle.letter,
             "size": letter_type(vehicle.letter),
+            "driver": Piece("law-driver", {"number": number}) if number else NOTHING,
             "base": f"{base:g}",
             "most": f"{base - HEIGHT:g}",
             "left": f"{LEFT:g}",
@@ -153,23 +170,38 @@ def _row(
     )
 
 
-def _table_row(index: int, vehicle: Vehicle, clocks: Clocks) -> Piece:
-    facts = [say("law.driving", time=clock_span(clocks.driving_s))]
+def _table_rows(index: int, vehicle: Vehicle, clocks: Clocks) -> Iterator[Piece]:
+    """Yield a row for each driver; what the vehicle does stands in the first."""
+    stood = []
     if clocks.breaks_s:
-        facts.append(say("law.breaks", time=clock_span(clocks.breaks_s)))
+        stood.append(say("law.breaks", time=_in_one(clocks.breaks_s)))
     if clocks.rests_s:
-        facts.append(say("law.rests", time=clock_span(clocks.rests_s)))
-    if clocks.drivers > 1:
-        facts.append(say("law.two-drivers"))
+        stood.append(say("law.rests", time=_in_one(clocks.rests_s)))
+    if clocks.drivers > 1 and len(clocks.each) < 2:
+        stood.append(say("law.two-drivers"))
+    for number, own in enumerate(clocks.each, 1):
+        facts = [say("law.driving", time=_in_one(own.driving_s))]
+        if len(clocks.each) > 1:
+            facts.insert(0, say("law.driver", number=number))
+        yield _table_row(index, vehicle, own, [*facts, *stood])
+        stood = []
+
+
+def _in_one(seconds: float) -> str:
+    """Return a time span that no line breaks within."""
+    return clock_span(seconds).replace(" ", "\u00a0")
+
+
+def _table_row(index: int, vehicle: Vehicle, clocks: DriverClocks, facts: Sequence[str]) -> Piece:
     cells = {}
-    for name, counted in zip(CLOCKS, (clocks.spell_s, clocks.day_s, clocks.duty_s), strict=True):
+    for name in CLOCKS:
         allowed = clocks.allowed[name]
         beyond = any(one.clock == name for one in clocks.excess)
         cells[name] = Piece(
             "law-cell",
             {
                 "sign": " loss" if beyond else "",
-                "counted": clock_span(counted),
+                "counted": clock_span(clocks.most(name)),
                 "allowed": "" if allowed is None else say("law.of", time=clock_span(allowed)),
             },
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-__all__ = ["ClockPoint", "Clocks", "Excess", "Law", "Standing"]
+__all__ = ["ClockPoint", "Clocks", "DriverClocks", "Excess", "Law", "Standing"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,17 +72,13 @@ class Excess:
 
 
 @dataclass(frozen=True, slots=True)
-class Clocks:
-    """The clocks of a vehicle's driver, or of two who take turns.
+class DriverClocks:
+    """The clocks of one driver.
 
     Attributes
     ----------
-    drivers : int
-        1 or 2.
     driving_s : float
-        Driven on this trip.
-    breaks_s, rests_s : float
-        Stood for breaks, and for daily and weekly rests.
+        Driven by this one on this trip.
     spell_s, day_s, duty_s : float
         The most that is reached of each clock; what was driven before the trip counts.
     allowed : dict of str to float or None
@@ -94,6 +90,48 @@ class Clocks:
         The clocks along the day, straight between two points.
     """
 
+    driving_s: float
+    spell_s: float
+    day_s: float
+    duty_s: float
+    allowed: dict[str, float | None]
+    excess: tuple[Excess, ...]
+    points: tuple[ClockPoint, ...] = field(metadata={"json": False})
+
+    def most(self, clock: str) -> float:
+        """Return the most that is reached of a clock.
+
+        Parameters
+        ----------
+        clock : str
+            As of `Excess.clock`.
+
+        Returns
+        -------
+        float
+            Its time [s].
+        """
+        return {"spell": self.spell_s, "day": self.day_s, "duty": self.duty_s}[clock]
+
+
+@dataclass(frozen=True, slots=True)
+class Clocks:
+    """The clocks of a vehicle's drivers.
+
+    Attributes
+    ----------
+    drivers : int
+        1, or 2 who take turns.
+    driving_s : float
+        Driven on this trip.
+    breaks_s, rests_s : float
+        Stood for breaks, and for daily and weekly rests.
+    spell_s, day_s, duty_s, allowed, excess
+        As of `DriverClocks`, of the driver who reaches most of each clock.
+    each : tuple of DriverClocks
+        Of each driver; of one if there is one.
+    """
+
     drivers: int
     driving_s: float
     breaks_s: float
@@ -103,7 +141,7 @@ class Clocks:
     duty_s: float
     allowed: dict[str, float | None]
     excess: tuple[Excess, ...]
-    points: tuple[ClockPoint, ...] = field(metadata={"json": False})
+    each: tuple[DriverClocks, ...]
 
 
 @dataclass(frozen=True, slots=True)
