@@ -126,8 +126,12 @@ class Clocks:
         Driven on this trip.
     breaks_s, rests_s : float
         Stood for breaks, and for daily and weekly rests.
-    spell_s, day_s, duty_s, allowed, excess
-        As of `DriverClocks`, of the driver who reaches most of each clock.
+    spell_s, day_s, duty_s : float
+        The most that is reached of each clock, by the driver who reaches most of it.
+    allowed : dict of str to float or None
+        What that driver may.
+    excess : tuple of Excess
+        Its excess, if any.
     each : tuple of DriverClocks
         Of each driver; of one if there is one.
     """
