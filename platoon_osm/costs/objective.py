@@ -59,7 +59,11 @@ class CostTerm(Protocol):
 
 
 class Objective(Protocol):
-    """What is to be least."""
+    """What is to be least.
+
+    One may have a method `delay` besides, like `waiting`: what it costs to arrive so many seconds
+    later than alone, leaving as early as the trip allows. Without it delay costs nothing.
+    """
 
     @property
     def name(self) -> str:

@@ -38,7 +38,7 @@ CLOCK = (
 """What the curve of costs against departures takes for granted."""
 
 PRICED = "nobody takes a slower way to wait less"
-"""What it takes for granted where waiting is priced."""
+"""What it takes for granted where time is priced."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,6 +61,8 @@ class Answer:
         What that holds for, beside what it always does.
     manner : str
         Of which drives of the master the bound holds.
+    time_cost : float
+        What waiting and delay cost at least besides, at the objective's prices.
     """
 
     draft: Draft
@@ -70,11 +72,34 @@ class Answer:
     bound: float | None
     conditions: tuple[str, ...] = ()
     manner: str = OWN_ROUTE
+    time_cost: float = 0.0
 
     @property
     def cost(self) -> float:
         """Cost of all together."""
         return float(self.costs.sum())
+
+    @property
+    def weighed(self) -> float:
+        """By what answers are compared: the cost, with that of waiting and delay."""
+        return self.cost + self.time_cost
+
+    def weighed_by(self, question: Question) -> Answer:
+        """Return the answer with what waiting and delay cost.
+
+        Parameters
+        ----------
+        question : Question
+            What is asked.
+
+        Returns
+        -------
+        Answer
+            What is proved of its cost alone is proved no more where time costs something.
+        """
+        price = question.time_cost(self.draft)
+        bound = None if price else self.bound
+        return replace(self, time_cost=price, bound=bound) if price else self
 
 
 def alone(question: Question, master: int) -> Answer:
@@ -95,7 +120,7 @@ def alone(question: Question, master: int) -> Answer:
     draft = Draft.alone(question.alone)
     case = question.problem.case
     free = "C" if case == "best" else case
-    return Answer(draft, draft.costs(question.fleet), free, master, None)
+    return Answer(draft, draft.costs(question.fleet), free, master, None).weighed_by(question)
 
 
 def of_star(question: Question, star: Star, choices: list[StarChoice]) -> Answer | None:
@@ -116,17 +141,13 @@ def of_star(question: Question, star: Star, choices: list[StarChoice]) -> Answer
         None if nobody can join this master.
     """
     found = _blind(question, star, choices)
-    if question.windows is None or (
-        found is not None and found[0] == 0 and not question.waiting_costs
-    ):
+    free = question.windows is None or question.time_prices.are_free
+    if free and (question.windows is None or (found is not None and found[0] == 0)):
         return None if found is None else found[1]
     timed = _timed(question, star)
-    if timed is None or (
-        found is not None
-        and not question.waiting_costs
-        and found[1].cost < timed.cost * (1 - NO_CHEAPER)
-    ):
-        return None if found is None else replace(found[1], bound=None)
+    blind = None if found is None else found[1].weighed_by(question)
+    if timed is None or (blind is not None and blind.weighed < timed.weighed * (1 - NO_CHEAPER)):
+        return None if blind is None else replace(blind, bound=None)
     return timed
 
 
@@ -165,18 +186,18 @@ def _timed(question: Question, star: Star) -> Answer | None:
     costs = draft.costs(question.fleet)
     if not question.allows(draft):
         return None
-    # Costs of a plan are those of driving; a bound that counts waiting is none of them alone.
-    waits = clocked.price and clocked.waits_s(points, chosen, best.departure) > 0
+    answer = Answer(draft, costs, case, star.master, None).weighed_by(question)
+    # Costs of a plan are those of driving; a bound that counts time is none of them alone.
     fewer = chosen is not best.choice.points and question.problem.optimum == "member"
-    if not best.is_proved or waits or fewer:
-        return Answer(draft, costs, case, star.master, None)
+    if not best.is_proved or answer.time_cost or fewer:
+        return answer
     bound, manner = min(found.choice.bound for _, found in plans), NO_WAIT
-    if not clocked.price:
+    if clocked.is_free:
         whatever = min(bound_if_waiting(clocked, one) for one, _ in plans)
         if float(costs.sum()) <= whatever * (1 + NO_CHEAPER):
             bound, manner = whatever, ANY_WAIT
-    conditions = (*CLOCK, PRICED) if clocked.price else CLOCK
-    return Answer(draft, costs, case, star.master, bound, conditions, manner)
+    conditions = CLOCK if clocked.is_free else (*CLOCK, PRICED)
+    return replace(answer, bound=bound, conditions=conditions, manner=manner)
 
 
 def _starred(question: Question, star: Star, case: str, points: MemberPlans) -> Answer:
@@ -233,15 +254,17 @@ def of_timed_pair(question: Question, first: int) -> Iterator[Answer]:
     """
     fleet, windows = question.fleet, question.windows
     assert windows is not None
+    prices = question.time_prices
     orders = [(first, 1 - first), (1 - first, first)]
     vehicles = [
         PairVehicle(
             own.origin, own.destination, fleet.alone(k), fleet.drive_s((k,)),
-            trees.tree(own.origin).dist, trees.tree(own.destination, False).dist, windows[k],
+            trees.tree(own.origin).dist, trees.tree(own.destination, False).dist,
+            windows[k], question.alone_s[k],
+            0.0 if question.asked_windows[k].earliest is None else prices.delay,
         )
         for k, (own, trees) in enumerate(zip(question.ends, question.trees, strict=True))
     ]  # fmt: skip
-    price = question.problem.objective.waiting(3600.0) / 3600
     conditions = (IN_TIME,) if fleet.is_alike else (IN_TIME, ONE_LEADER)
     found: dict[bytes, TimedPair | None] = {}
     answers: list[Answer] = []
@@ -252,21 +275,23 @@ def of_timed_pair(question: Question, first: int) -> Iterator[Answer]:
         if key not in found:
             found[key] = plan_timed_pair(
                 question.net, (vehicles[first], vehicles[1 - first]), together,
-                fleet.drive_s((0, 1)), float(question.solo.sum()), price,
+                fleet.drive_s((0, 1)), float(question.solo.sum()),
+                prices.waiting,
             )  # fmt: skip
         pair = found[key]
         if pair is None:
             continue
         draft = _paired(first, order, pair)
-        answers.append(Answer(draft, draft.costs(fleet), "D", None, None, conditions))
+        answer = Answer(draft, draft.costs(fleet), "D", None, None, conditions)
+        answers.append(answer.weighed_by(question))
     if not answers:
         draft, cost = Draft.alone(question.alone), float(question.solo.sum())
         yield Answer(draft, draft.costs(fleet), "D", None, cost, conditions)
-    # Where waiting has a price it was weighed too, so of the cost alone nothing is proved.
+    # Where time has a price it was weighed too, so of the cost alone nothing is proved.
     pairs = [pair for pair in found.values() if pair is not None]
-    paid = any(price * sum(pair.waits_s) for pair in pairs)
+    paid = any(answer.time_cost for answer in answers)
     bound = None if paid else min((pair.cost for pair in pairs), default=None)
-    for answer in sorted(answers, key=lambda one: one.cost):
+    for answer in sorted(answers, key=lambda one: one.weighed):
         yield replace(answer, bound=bound)
 
 

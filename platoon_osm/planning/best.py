@@ -18,6 +18,7 @@ WAITING_FREE = "waiting at merging points is free"
 ALIKE = "vehicles are alike"
 ONE_STRETCH = "one shared stretch for each member"
 ANY_WAY = "all routes and companies of these trips are compared"
+TIME_PRICED = "prices of waiting and delay count in the choice, not in the cost"
 CLOCK_FORBIDS = "the clock forbids cheaper company, and this is the best that was found in time"
 
 
@@ -62,7 +63,7 @@ def best_answer(question: Question) -> Best:
     # Who drives alone at the same cost as in company drives in company: the paper's tie rule.
     for answer in sorted(tried.answers, key=lambda one: (one.master is None, not _is_led(one))):
         level = 1 + NO_CHEAPER if not best.draft.together else 1 - NO_CHEAPER
-        if answer.cost < best.cost * level and answer.draft.together:
+        if answer.weighed < best.weighed * level and answer.draft.together:
             best = answer
     if fixed is None and best.master is not None and best.draft.together and not _is_led(best):
         led = best.draft.led()
@@ -102,7 +103,9 @@ def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
     any_plan = least_total(
         question.net, question.fleet, question.node_pairs, question.least, best.cost
     )
-    conditions = () if question.waiting_costs else (WAITING_FREE,)
+    prices = question.time_prices
+    free = () if prices.waiting else (WAITING_FREE,)
+    conditions = free if prices.are_free or question.windows is None else (*free, TIME_PRICED)
     if len(question.ends) < 2:
         return Proof.of(best.cost, best.cost, conditions)
     if best.case == "D" and best.bound is not None:
@@ -111,6 +114,7 @@ def _proof(question: Question, best: Answer, tried: Tried) -> Proof:
         own = (*conditions, *alike, ONE_STRETCH, *best.conditions)
         return Proof.of(best.cost, best.bound, own, any_plan)
     late = tried.blind < best.cost * (1 - NO_CHEAPER) and question.windows is not None
+    late &= prices.are_free
     if best.bound is None or (late and not best.conditions):
         return _bounded(best, any_plan, late, conditions)
     assert best.master is not None

@@ -31,7 +31,7 @@ from .problem import Problem
 from .question import Question
 from .rules_told import named_rules
 from .timed_star import TimedStar
-from .timing.departure_curve import MemberSteps, StepCurve
+from .timing.departure_curve import MemberSteps, StepCurve, StraightSteps
 from .timing.limits import Window, first_named
 
 if TYPE_CHECKING:
@@ -115,7 +115,7 @@ def departure_curve(
     since, until, low, high, company = _merged(curve, steps, clocked, begin, end)
     own = question.problem.optimum == "member" or not clocked.gains.gain.any()
     exact = own and clocked.is_even and clocked.is_complete
-    exact = exact and not (clocked.price and clocked.gains.gain.any())
+    exact = exact and (clocked.is_free or not clocked.gains.gain.any())
     return DepartureCurve(
         names[known],
         tuple(names[k] for k in clocked.star.members),
@@ -129,7 +129,7 @@ def departure_curve(
         cost,
         exact,
         (f"master {names[known]} {NO_WAIT}", EACH_ITS_OWN, *CLOCK,
-         *((PRICED,) if clocked.price else ()), *named_rules(question.problem.rules)),
+         *(() if clocked.is_free else (PRICED,)), *named_rules(question.problem.rules)),
     )  # fmt: skip
 
 
@@ -311,14 +311,15 @@ def _merged(
     return begins, ends, low, high, company[new]
 
 
-def _joined(steps: MemberSteps, clocked: TimedStar) -> NDArray[np.bool_]:
+def _joined(steps: StraightSteps, clocked: TimedStar) -> NDArray[np.bool_]:
     """Mark the steps in which a member drives with the master."""
     if len(steps.merge):
         found: NDArray[np.bool_] = steps.merge >= 0
         return found
     at = np.where(np.isfinite(steps.since), steps.since, 0.0)
-    paid = steps.level + np.where(np.isfinite(steps.sloped), steps.price * at, 0.0)
-    return paid < clocked.solo[steps.member] - clocked.slack[steps.member]
+    paid = steps.level + steps.slope * at
+    cheaper = paid < clocked.solo[steps.member] - clocked.slack[steps.member]
+    return cheaper | (steps.slope > 0)
 
 
 def _company(curve: StepCurve, steps: MemberSteps, clocked: TimedStar) -> NDArray[np.int64]:

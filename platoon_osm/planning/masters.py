@@ -84,8 +84,8 @@ def _try_pair(question: Question, first: int, found: Tried) -> None:
     answers = list(of_pair(question, first))
     some = [answer for answer in answers if question.in_time(answer.draft)]
     blind = np.inf if some else answers[0].cost
-    # What is in time without looking is the best of all, unless waiting has a price.
-    if question.windows is not None and (not some or question.waiting_costs):
+    # What is in time without looking is the best of all, unless time has a price.
+    if question.windows is not None and not (some and question.time_prices.are_free):
         answers = list(of_timed_pair(question, first))
         some = [answer for answer in answers if question.in_time(answer.draft)]
     member = question.problem.optimum == "member"
@@ -118,8 +118,17 @@ def _try_stars(question: Question, masters: Sequence[int], found: Tried) -> None
     for place, (star, choices) in enumerate(planned):
         answer = of_star(question, star, choices)
         if answer is not None:
-            found.answers.append(improved(question, answer) if place < complete else answer)
+            found.answers.append(_completed(question, answer) if place < complete else answer)
     found.compared, found.blind = len(stars), min(best, found.blind)
+
+
+def _completed(question: Question, answer: Answer) -> Answer:
+    """Return an answer with the company that can be had off its master's route, if it is cheaper.
+
+    That is looked for by cost alone, so where time has a price it may be no better.
+    """
+    better = improved(question, answer).weighed_by(question)
+    return better if better.weighed <= answer.weighed else answer
 
 
 def _stars(question: Question, masters: Sequence[int]) -> list[Star]:

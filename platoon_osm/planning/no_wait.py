@@ -1,8 +1,8 @@
 """The departure at which a master that does not wait and its members pay least, exactly.
 
 Under "member" each member pays least itself, at every departure; of all departures the one is taken
-at which all together pay least, what the master gains included. Where waiting is free that is read
-off one curve.
+at which all together pay least, what the master gains included. Where waiting and delay are free
+that is read off one curve.
 
 Under "system" members and master together pay least. The master gains once an edge, so members
 hang together. With prices p of that condition, as in `system.py`, they do not, and their curve is a
@@ -104,7 +104,7 @@ def _relaxed(
     """Return the steps of members that count a price of the master's gain on every edge."""
     along = clocked.along.copy()
     along[:, 1:] -= np.cumsum(price)
-    return points.steps(along, clocked.solo, clocked.slack, None, clocked.price, latest)
+    return clocked.steps(points, along, None, latest)
 
 
 def _granted(clocked: TimedStar, price: Floats) -> float:
@@ -119,7 +119,8 @@ def _for_system(
     bounds = BoundCurves(points)
     for share in SHARES:
         price = share * gain
-        bounds.add(_relaxed(clocked, points, price, None).curve(_granted(clocked, price)))
+        steps = _relaxed(clocked, points, price, None)
+        bounds.add(clocked.summed(steps, _granted(clocked, price)))
     best: tuple[float, StarChoice] | None = None
     most = max(2, min(MOST_PLANNED, MEMBER_PLANS // max(len(clocked.solo), 1)))
     for _ in range(most):
@@ -132,7 +133,7 @@ def _for_system(
             best = departure, found
         if found.price is not None:
             steps = _relaxed(clocked, points, found.price, None)
-            bounds.add(steps.curve(_granted(clocked, found.price)))
+            bounds.add(clocked.summed(steps, _granted(clocked, found.price)))
     assert best is not None
     return *best, bounds.lowest()[2]
 

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from ..costs.time_prices import TimePrices
 from ..plans.stretches import Run
 from ..search.trees import Trees
 from .company.draft import Draft
@@ -20,6 +21,7 @@ from .problem import Problem
 from .routers import DijkstraRouter
 from .star import Star
 from .timing.feasible import InTime
+from .timing.least_price import least_price
 from .timing.limits import NOTHING_ASKED, Window, first_named, windows_of
 from .ways_in_time import WaysInTime
 
@@ -207,9 +209,9 @@ class Question:
         return found
 
     @cached_property
-    def waiting_costs(self) -> bool:
-        """Whether waiting on the road has a price."""
-        return self.problem.objective.waiting(3600.0) > 0
+    def time_prices(self) -> TimePrices:
+        """What waiting on the road and delay cost."""
+        return TimePrices.of(self.problem.objective)
 
     @cached_property
     def ways_in_time(self) -> WaysInTime:
@@ -241,6 +243,27 @@ class Question:
         """
         runs: list[list[Run]] = draft.runs()
         return self._in_time(runs)
+
+    def time_cost(self, draft: Draft) -> float:
+        """Return what waiting and delay cost at least if a draft is driven.
+
+        Parameters
+        ----------
+        draft : Draft
+            Who drives what with whom, in time.
+
+        Returns
+        -------
+        float
+            0 where both are free, or nobody names a time.
+        """
+        if self.windows is None or self.time_prices.are_free:
+            return 0.0
+        runs: list[list[Run]] = draft.runs()
+        return least_price(
+            runs, self.fleet.route_s, self.windows, self.asked_windows, self.alone_s,
+            self.time_prices,
+        )  # fmt: skip
 
     def losers(self, draft: Draft) -> list[int]:
         """Return who pays more than alone.

@@ -7,41 +7,23 @@ departure is known at once (`timing/open_points.py`), as is what they pay in all
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..search.tie_rule import slack_of
-from .member_plans import MemberPlans
 from .question import Question
 from .star import Star, StarChoice
 from .timing.departure_curve import Gains, MemberSteps, StepCurve
 from .timing.member_ways import Ways
-from .timing.open_points import OpenPoints
+from .timing.open_points import Delays, OpenPoints
 
-__all__ = ["TimedStar", "waiting_price"]
+__all__ = ["TimedStar"]
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
-
-
-def waiting_price(objective: Any) -> float | None:
-    """Return what a second's waiting costs.
-
-    Parameters
-    ----------
-    objective : Objective or EdgeWeights
-        Whose price.
-
-    Returns
-    -------
-    float or None
-        None if its price is not proportional to the time.
-    """
-    hour, three = float(objective.waiting(3600.0)), float(objective.waiting(10800.0))
-    return hour / 3600 if abs(three - 3 * hour) <= 1e-9 * abs(three) else None
 
 
 class TimedStar:
@@ -59,15 +41,13 @@ class TimedStar:
         assert question.windows is not None
         self.question, self.star = question, star
         self.windows = question.windows
-        known = waiting_price(question.problem.objective)
-        self.price = known or 0.0
+        prices = question.time_prices
+        self.price, self.is_free = prices.waiting, prices.are_free
         everyone = range(len(question.ends))
         pace = question.fleet.drive_s(everyone)
         own = [question.fleet.drive_s((k,))[star.route] for k in everyone]
-        self.is_even = known is not None and all(
-            np.array_equal(one, pace[star.route]) for one in own
-        )
-        """Whether all drive the route as fast alone as together, and waiting is proportional."""
+        self.is_even = prices.are_even and all(np.array_equal(one, pace[star.route]) for one in own)
+        """Whether all drive the route as fast alone as together, and prices are proportional."""
         before, after = star.ways_beside
         master = question.fleet.drive_s((star.master,))
         self.before_s, self.after_s = float(master[before].sum()), float(master[after].sum())
@@ -161,11 +141,96 @@ class TimedStar:
         Returns
         -------
         StarChoice
-            Costs count priced waiting.
+            Costs count waiting and delay at their prices.
         """
-        return self.star.choose(
+        found = self.star.choose(
             case, self.question.problem.optimum, self.open_costs(points, departure)
         )
+        late = self.leads_late(departure)
+        return replace(found, cost=found.cost + late, bound=found.bound + late) if late else found
+
+    @cached_property
+    def delays(self) -> Delays | None:
+        """What delay costs the members; None if it is free."""
+        price = self.question.time_prices.delay
+        if not price:
+            return None
+        asked = [self.question.asked_windows[k].earliest for k in self.star.members]
+        drive = [self.question.alone_s[k] for k in self.star.members]
+        return Delays(
+            np.array([0.0 if one is None else price for one in asked]),
+            np.array(
+                [one + own for one, own in zip((e or 0.0 for e in asked), drive, strict=True)]
+            ),
+        )
+
+    @property
+    def lead_rate(self) -> float:
+        """What it costs the master to leave a second later."""
+        asked = self.question.asked_windows[self.star.master].earliest
+        return 0.0 if asked is None else self.question.time_prices.delay
+
+    def leads_late(self, departure: float) -> float:
+        """Return what it costs the master to leave at a moment.
+
+        Parameters
+        ----------
+        departure : float
+            When it leaves [s].
+
+        Returns
+        -------
+        float
+            The price of its delay.
+        """
+        asked = self.question.asked_windows[self.star.master].earliest
+        return 0.0 if asked is None else self.lead_rate * (departure - asked)
+
+    def steps(
+        self,
+        points: OpenPoints,
+        along: Floats,
+        gains: Gains | None = None,
+        latest: float | None = None,
+    ) -> MemberSteps:
+        """Return what each member pays, by the master's departure.
+
+        Parameters
+        ----------
+        points : OpenPoints
+            Of a case.
+        along : ndarray of float, (M, K + 1)
+            What each pays in company up to each position.
+        gains : Gains, optional
+            What the master gains; then positions are found too.
+        latest : float, optional
+            The last departure to look at [s]; by default the master's own.
+
+        Returns
+        -------
+        MemberSteps
+            Waiting and delay at their prices.
+        """
+        return points.steps(along, self.solo, self.slack, gains, self.price, latest, self.delays)
+
+    def summed(self, steps: MemberSteps, fixed: float, gains: Gains | None = None) -> StepCurve:
+        """Return what all pay, by the master's departure.
+
+        Parameters
+        ----------
+        steps : MemberSteps
+            Of the members.
+        fixed : float
+            What the master pays.
+        gains : Gains, optional
+            What it gains, if the steps were found with it.
+
+        Returns
+        -------
+        StepCurve
+            The master's delay included.
+        """
+        return steps.curve(fixed + self.leads_late(0.0), gains, self.lead_rate)
 
     def open_costs(self, points: OpenPoints, departure: float) -> tuple[Floats, Floats, Floats]:
         """Return what it costs to join, to leave and to stay alone at a departure.
@@ -184,7 +249,7 @@ class TimedStar:
         solo : ndarray of float, (M,)
             Costs alone.
         """
-        return *points.at(departure, len(self.route_s), self.price), self.solo
+        return *points.at(departure, len(self.route_s), self.price, self.delays), self.solo
 
     def member_curve(self, points: OpenPoints) -> tuple[StepCurve, MemberSteps]:
         """Return what all pay if each member pays least, and the members' steps.
@@ -197,17 +262,17 @@ class TimedStar:
         Returns
         -------
         StepCurve
-            Exact where waiting is free or the master gains nothing, else a lower bound.
+            Exact where time is free or the master gains nothing, else a lower bound.
         MemberSteps
             Of which it is the sum.
         """
         fixed = self.star.master_alone
-        if self.price and self.gains.gain.any():
-            steps = points.steps(self.along, self.solo, self.slack, None, self.price)
-            return steps.curve(fixed - float(np.maximum(self.gains.gain, 0.0).sum())), steps
+        if not self.is_free and self.gains.gain.any():
+            steps = self.steps(points, self.along)
+            return self.summed(steps, fixed - float(np.maximum(self.gains.gain, 0.0).sum())), steps
         gains = self.gains if self.gains.gain.any() else None
-        steps = points.steps(self.along, self.solo, self.slack, gains, self.price)
-        return steps.curve(fixed, gains), steps
+        steps = self.steps(points, self.along, gains)
+        return self.summed(steps, fixed, gains), steps
 
     def shown_curve(self, points: OpenPoints) -> tuple[StepCurve, MemberSteps]:
         """Return what all pay if each member pays least: what can be had at every departure.
@@ -220,13 +285,13 @@ class TimedStar:
         Returns
         -------
         StepCurve
-            Where waiting is priced, what the master gains is left out.
+            Where time is priced, what the master gains is left out.
         MemberSteps
-            Of which it is the sum, with positions where waiting is free.
+            Of which it is the sum, with positions where time is free.
         """
-        gains = None if self.price else self.gains
-        steps = points.steps(self.along, self.solo, self.slack, gains, self.price)
-        return steps.curve(self.star.master_alone, gains), steps
+        gains = self.gains if self.is_free else None
+        steps = self.steps(points, self.along, gains)
+        return self.summed(steps, self.star.master_alone, gains), steps
 
     def way(self, points: OpenPoints, departure: float, vehicle: int, at: int, to: bool) -> Longs:
         """Return the way that a member takes.
@@ -250,32 +315,8 @@ class TimedStar:
             Edge ids in driving order.
         """
         member = self.star.members.index(vehicle)
-        find = points.entry_way if to else points.exit_way
-        _, time_s = find(member, at, departure)
-        return self.question.ways_in_time.route(vehicle, int(self.star.nodes[at]), time_s, to)
-
-    def waits_s(self, points: OpenPoints, found: MemberPlans, departure: float) -> float:
-        """Return how long members wait at their merging points in all.
-
-        Parameters
-        ----------
-        points : OpenPoints
-            Of the case.
-        found : MemberPlans
-            Where members merge.
-        departure : float
-            When the master leaves [s].
-
-        Returns
-        -------
-        float
-            Seconds.
-        """
-        total = 0.0
-        for member in np.flatnonzero(found.merge_index >= 0).tolist():
-            at = int(found.merge_index[member])
+        if to:
             _, time_s = points.entry_way(member, at, departure)
-            late = self.windows[self.star.members[member]].latest
-            if late is not None:
-                total += max(0.0, departure + self.route_s[at] - late - time_s)
-        return total
+        else:
+            _, time_s = points.exit_way(member, at, departure, self.delays)
+        return self.question.ways_in_time.route(vehicle, int(self.star.nodes[at]), time_s, to)

@@ -2,6 +2,7 @@
 
 import itertools
 from datetime import datetime, timedelta
+from functools import partial
 
 import numpy as np
 import pytest
@@ -9,21 +10,24 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import platoon_osm as po
+from platoon_osm.costs.time_prices import TimePrices
 from platoon_osm.planning.answers import ANY_WAIT, NO_WAIT
 from platoon_osm.planning.asked import Asked
+from platoon_osm.planning.company.draft import Draft
 from platoon_osm.planning.no_wait import best_without_waiting, bound_if_waiting
-from platoon_osm.planning.timed_star import TimedStar, waiting_price
+from platoon_osm.planning.timed_star import TimedStar
 
 DAY = datetime(2026, 3, 2)
 
 
 class Costs:
-    """Whole costs of edges, and a price of waiting."""
+    """Whole costs of edges, and prices of waiting and delay."""
 
     name, unit, params = "whole", "m", {}
 
-    def __init__(self, solo, platoon, master, price=0.0):
+    def __init__(self, solo, platoon, master, price=0.0, late=0.0):
         self.solo, self.platoon, self.master, self.price = solo, platoon, master, price
+        self.late = late
 
     def weights(self, net, _vehicle=None):
         return po.EdgeWeights(
@@ -34,9 +38,12 @@ class Costs:
     def waiting(self, seconds):
         return self.price * seconds
 
+    def delay(self, seconds):
+        return self.late * seconds
+
 
 @st.composite
-def problems(draw, price=0.0, vehicles=(2, 3)):
+def problems(draw, price=0.0, vehicles=(2, 3), late=0.0):
     """A road 0 .. k that the master drives, and members with ways onto it and off, cheap or quick.
 
     Costs and times of edges have nothing to do with each other.
@@ -75,7 +82,7 @@ def problems(draw, price=0.0, vehicles=(2, 3)):
         [a for a, _ in pairs], [b for _, b in pairs], np.array(time_s, float),
         lon=np.arange(n) / 1000, lat=(np.arange(n) % 2) / 1000, speed_mps=1.0,
     )  # fmt: skip
-    return net, Costs(alone, platoon, master, price), trips
+    return net, Costs(alone, platoon, master, price, late), trips
 
 
 def paths_between(net, start, end):
@@ -162,6 +169,8 @@ class Count:
                     for cost_out, time_out in self.points(self.nodes[j], end):
                         if here[j] + time_out <= self.until(k):
                             total = cost_in + between + cost_out + self.costs.price * waits
+                            arrives = here[j] + time_out
+                            total += self.costs.late * (arrives - first - self.alone[k][1])
                             found.append((total, i, j))
         return found
 
@@ -171,7 +180,7 @@ class Count:
 
     def members_pay(self, here):
         """What all pay if each member pays least itself; the longest platoon of equals."""
-        total, pairs = self.alone[0][0], []
+        total, pairs = self.master_pays(here), []
         length = self.net.length_m
         for k in range(1, len(self.rows)):
             every = self.choices(k, here)
@@ -197,7 +206,10 @@ class Count:
         for some in itertools.product(*every):
             cost = sum(cost for cost, _ in some)
             best = min(best, cost - self.gain([pair for _, pair in some if pair[0] >= 0]))
-        return best + self.alone[0][0]
+        return best + self.master_pays(here)
+
+    def master_pays(self, here):
+        return self.alone[0][0] + self.costs.late * (here[0] - self.rows[0][3])
 
     def departures(self):
         _, _, _, first, leave, _ = self.rows[0]
@@ -219,7 +231,7 @@ class Count:
                     yield here
 
 
-@given(problem=problems() | problems(price=0.5))
+@given(problem=problems() | problems(price=0.5) | problems(late=0.25))
 @settings(max_examples=40)
 def test_each_member_pays_least_at_the_best_departure(problem):
     asked = asked_of(problem)
@@ -238,7 +250,7 @@ def test_each_member_pays_least_at_the_best_departure(problem):
     if (second := at + count.shift) == round(second):
         assert best.choice.cost == pytest.approx(every[round(second)])
     assert best.choice.bound <= min(every.values()) + 1e-9
-    if not clocked.price or not clocked.gains.gain.any():
+    if clocked.is_free or not clocked.gains.gain.any():
         assert best.choice.cost == pytest.approx(min(every.values()))
         assert best.choice.bound == pytest.approx(min(every.values()))
     # A way that is taken costs and takes what was counted.
@@ -250,14 +262,14 @@ def test_each_member_pays_least_at_the_best_departure(problem):
             into = clocked.way(points, at, vehicle, i, True)
             onward = clocked.way(points, at, vehicle, j, False)
             cost_in, time_in = points.entry_way(row, i, at)
-            cost_out, time_out = points.exit_way(row, j, at)
+            cost_out, time_out = points.exit_way(row, j, at, clocked.delays)
             assert sum(problem[1].solo[into]) == cost_in
             assert sum(problem[1].solo[onward]) == cost_out
             assert sum(count.time[into]) <= time_in
             assert sum(count.time[onward]) <= time_out
 
 
-@given(problem=problems(vehicles=(2, 4)) | problems(price=0.5))
+@given(problem=problems(vehicles=(2, 4)) | problems(price=0.5) | problems(price=0.5, late=0.25))
 @settings(max_examples=40)
 def test_for_all_together_the_bound_is_below_the_best_and_the_plan_is_one(problem):
     asked = asked_of(problem, "system")
@@ -271,6 +283,60 @@ def test_for_all_together_the_bound_is_below_the_best_and_the_plan_is_one(proble
     if len(problem[2]) == 2:
         assert best.choice.cost == pytest.approx(least)
         assert best.choice.bound == pytest.approx(least)
+
+
+@given(problem=problems(price=0.5, late=0.25) | problems(late=1.0) | problems(price=2.0))
+@settings(max_examples=30)
+def test_what_time_costs_at_least_is_what_counting_finds(problem):
+    """For a draft: the least of all departures and waits of its master, at all its nodes."""
+    asked = asked_of(problem)
+    if asked is None:
+        return
+    question, count = asked.question, Count(problem, asked.question)
+    clocked = TimedStar(question, question.star(0))
+    points = clocked.points("C")
+    best = best_without_waiting(clocked, "C")
+    chosen, at = best.choice.points, best.departure
+    routes = question.star(0).routes(chosen, partial(clocked.way, points, at))
+    found = question.time_cost(Draft.of(routes))
+    driven = sum(Draft.of(routes).costs(question.fleet))
+    # No dearer than the departure at which the choice was made.
+    assert driven + found <= best.choice.cost + 1e-4
+    ways = []
+    for row, vehicle in enumerate(clocked.star.members):
+        i, j = int(chosen.merge_index[row]), int(chosen.separation_index[row])
+        if i >= 0:
+            into, onward = (
+                clocked.way(points, at, vehicle, *one) for one in ((i, True), (j, False))
+            )
+            ways.append((vehicle, i, j, int(count.time[into].sum()), int(count.time[onward].sum())))
+    assert found == pytest.approx(least_of_time(count, ways), abs=1e-4)
+
+
+def least_of_time(count, ways):
+    """The least that waiting and delay cost for members that merge and separate as given."""
+    price, late = count.costs.price, count.costs.late
+    _, _, _, first, leave, _ = count.rows[0]
+    best, last = np.inf, len(count.tau) - 1
+    for start in range(first, first + 45 if leave is None else leave + 1):
+        for waits in itertools.product(range(16), repeat=last - 1):
+            stood = [0, 0, *itertools.accumulate(waits)]
+            arrive = [start + tau + some for tau, some in zip(count.tau, stood, strict=True)]
+            if arrive[-1] > count.until(0):
+                continue
+            own = [0, *waits, 0]
+            total = price * sum(waits) + late * (arrive[-1] - first - count.alone[0][1])
+            for k, i, j, time_in, time_out in ways:
+                _, _, _, begin, latest, _ = count.rows[k]
+                leaves, ends = arrive[i] + own[i], arrive[j] + time_out
+                if begin + time_in > leaves or ends > count.until(k):
+                    break
+                idle = 0 if latest is None else max(0, leaves - latest - time_in)
+                total += price * (idle + sum(own[i + 1 : j]))
+                total += late * (ends - begin - count.alone[k][1])
+            else:
+                best = min(best, total)
+    return best
 
 
 @given(problem=problems(vehicles=(3, 3)), optimum=st.sampled_from(["member", "system"]))
@@ -359,10 +425,10 @@ def test_of_two_members_that_cannot_both_be_met_the_better_is():
 
 def test_a_price_of_waiting_is_read_off_an_objective():
     one = np.ones(1)
-    assert waiting_price(Costs(one, one, one, 0.5)) == 0.5
+    assert TimePrices.of(Costs(one, one, one, 0.5)) == TimePrices(0.5, 0.0, True)
 
     class Steps(Costs):
         def waiting(self, seconds):
             return float(seconds > 3600)
 
-    assert waiting_price(Steps(one, one, one)) is None
+    assert not TimePrices.of(Steps(one, one, one)).are_even

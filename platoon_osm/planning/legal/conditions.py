@@ -30,6 +30,6 @@ def of_every_plan(question: Question) -> tuple[str, ...]:
     tuple of str
         Sentences.
     """
-    free = question.problem.objective.waiting(3600.0) == 0
+    free = question.time_prices.waiting == 0
     rules = f"driving rules {question.problem.rules.name}"
     return (rules, WHOLE_SECONDS, *((WAITING_FREE,) if free else ()))

@@ -5,7 +5,9 @@ platoon weight along the route: it leaves later, so nobody waits. So its least c
 function of the master's departure t0: entries open at a_i, exits close at b_j (`open_points.py`).
 Several ways to one position, of which none is both cheaper and quicker, are entries of their own.
 If it has to leave by some time and a second's waiting costs w, an entry costs w (t0 - c_i) more
-from some departure c_i on.
+from some departure c_i on. If a second's delay costs d, company costs d t0 more, and each exit by
+when the member then arrives. So a member pays the least of three lines: alone, slope 0; in company,
+slope d; and in company after waiting, slope d + w.
 
 The sum over members falls only where something opens; so a least value is found at the earliest
 departure, or where an entry opens.
@@ -20,7 +22,7 @@ from numpy.typing import NDArray
 
 from .kernels import MET_ON_ROUTE
 
-__all__ = ["Gains", "MemberSteps", "StepCurve"]
+__all__ = ["Gains", "MemberSteps", "StepCurve", "StraightSteps"]
 
 Floats = NDArray[np.float64]
 Longs = NDArray[np.int64]
@@ -56,6 +58,9 @@ class MemberSteps:
         The departures between which they hold [s].
     price : float
         Of a second's waiting.
+    alone, delay : ndarray of float, (M,)
+        What each pays alone, and for a second's delay; `level` and `sloped` are those of departures
+        at 0 where delay costs something, and `level` is of company only.
     """
 
     member: Longs
@@ -69,12 +74,13 @@ class MemberSteps:
     begin: float
     end: float
     price: float
+    alone: Floats
+    delay: Floats
 
     @property
     def until(self) -> Floats:
         """When each step ends [s], (S,)."""
-        last = np.concatenate([self.member[1:] != self.member[:-1], [True]])
-        return np.where(last, self.end, np.concatenate([self.since[1:], [self.end]]))
+        return _until(self.member, self.since, self.end)
 
     def least(self) -> Floats:
         """Return what each member pays at the departure that suits it best, (M,).
@@ -85,12 +91,15 @@ class MemberSteps:
             Costs.
         """
         at = np.where(np.isfinite(self.since), self.since, 0.0)
-        tilted = self.sloped + self.price * at if self.price else self.sloped
-        found = np.full(self.members, np.inf)
-        np.minimum.at(found, self.member, np.minimum(self.level, tilted))
+        later = self.delay[self.member] * at
+        pays = np.minimum(self.level, self.sloped + self.price * at) + later
+        found = self.alone.copy()
+        np.minimum.at(found, self.member, pays)
         return found
 
-    def curve(self, fixed: float = 0.0, gains: Gains | None = None) -> StepCurve:
+    def curve(
+        self, fixed: float = 0.0, gains: Gains | None = None, slope: float = 0.0
+    ) -> StepCurve:
         """Return the sum over the members.
 
         Parameters
@@ -99,6 +108,8 @@ class MemberSteps:
             What is added whenever the master leaves.
         gains : Gains, optional
             What the master gains, to be taken off; for steps that were found with it.
+        slope : float
+            What is added for each second that the master leaves later.
 
         Returns
         -------
@@ -107,16 +118,15 @@ class MemberSteps:
         """
         parts = self.straight()
         since, after, level, member = parts.since, parts.after, parts.level, parts.member
-        slope = np.where(parts.sloped < np.inf, self.price, 0.0)
         head = np.concatenate([[True], member[1:] != member[:-1]]) if len(member) else (
             np.zeros(0, bool)
         )  # fmt: skip
         before = ~head
         change = np.where(before, level - np.roll(level, 1), level)
-        tilt = np.where(before, slope - np.roll(slope, 1), slope)
+        tilt = np.where(before, parts.slope - np.roll(parts.slope, 1), parts.slope)
         order = np.lexsort((after, since))
         moments, kinds = since[order], after[order]
-        total, slopes = np.cumsum(change[order]) + fixed, np.cumsum(tilt[order])
+        total, slopes = np.cumsum(change[order]) + fixed, np.cumsum(tilt[order]) + slope
         if gains is not None:
             kernel = MET_ON_ROUTE.ready(len(order) * len(gains.gain) * 2e-7)
             rank = np.lexsort((self.after, self.since))
@@ -126,41 +136,92 @@ class MemberSteps:
             total = total - met
         if not len(order):
             moments, kinds = np.array([self.begin]), np.zeros(1, np.int8)
-            total, slopes = np.array([fixed]), np.zeros(1)
+            total, slopes = np.array([fixed]), np.array([slope])
         last = np.ones(len(moments), bool)
         last[:-1] = (moments[1:] != moments[:-1]) | (kinds[1:] != kinds[:-1])
         return StepCurve(moments[last], kinds[last], total[last], slopes[last], self.end)
 
-    def straight(self) -> MemberSteps:
-        """Return the steps cut where waiting becomes dearer than what is level.
+    def straight(self) -> StraightSteps:
+        """Return the steps cut where another of their lines becomes the least.
 
         Returns
         -------
-        MemberSteps
-            In each step `level` is what the member pays; where `sloped` is finite, it is what it
-            would pay for a departure at 0, and it grows by the price.
+        StraightSteps
+            The same steps where neither waiting nor delay costs anything.
         """
-        if not self.price:
-            return self
-        with np.errstate(invalid="ignore"):
-            cross = (self.level - self.sloped) / self.price
-        cross = np.where(np.isfinite(self.sloped), cross, -np.inf)
-        tilted = cross > self.since
-        cut = tilted & (cross < self.until)
-        rows = np.concatenate([np.arange(len(self.since)), np.flatnonzero(cut)])
-        second = np.arange(len(rows)) >= len(self.since)
-        order = np.lexsort((second, rows))
-        rows, second = rows[order], second[order]
-        lean = tilted[rows] & ~second
-        sloped = self.sloped[rows]
-        return MemberSteps(
-            self.member[rows],
-            np.where(second, cross[rows], self.since[rows]),
-            np.where(second, 0, self.after[rows]).astype(np.int8),
-            np.where(lean, sloped, self.level[rows]),
-            np.where(lean, sloped, np.inf),
-            self.merge, self.leave, self.members, self.begin, self.end, self.price,
+        if not self.price and not self.delay.any():
+            return StraightSteps(
+                self.member, self.since, self.after, self.level, np.zeros(len(self.level)),
+                self.merge, self.end,
+            )  # fmt: skip
+        rate, until = self.delay[self.member], self.until
+        lines = np.array([self.sloped, self.level, self.alone[self.member]])
+        slopes = np.array([rate + self.price, rate, np.zeros(len(rate))])
+        begins = [self.since]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            for one, other in ((0, 1), (1, 2), (0, 2)):
+                cross = (lines[other] - lines[one]) / (slopes[one] - slopes[other])
+                inside = (cross > self.since) & (cross < until)
+                begins.append(np.where(inside, cross, np.inf))
+        starts = np.array([begins[0], *np.sort(begins[1:], axis=0)])
+        some = np.isfinite(starts)
+        some[0] = True
+        ends = np.minimum(np.concatenate([starts[1:], np.full((1, len(rate)), np.inf)]), until)
+        inner = _between(starts, ends)
+        values = lines[:, None] + slopes[:, None] * inner
+        least = np.argmin(values, axis=0)
+        step = np.broadcast_to(np.arange(len(rate)), starts.shape).T[some.T]
+        part = np.broadcast_to(np.arange(len(starts))[:, None], starts.shape).T[some.T]
+        line = least.T[some.T]
+        after = np.where(part, 0, self.after[step]).astype(np.int8)
+        return StraightSteps(
+            self.member[step], starts.T[some.T], after,
+            lines[line, step], slopes[line, step], self.merge, self.end,
         )  # fmt: skip
+
+
+def _between(begin: Floats, end: Floats) -> Floats:
+    """Return a moment between others, whichever of them are infinite."""
+    open_begin, open_end = ~np.isfinite(begin), ~np.isfinite(end)
+    low = np.where(open_begin, np.where(open_end, 0.0, end) - 2.0, begin)
+    high = np.where(open_end, low + 2.0, end)
+    found: Floats = (low + high) / 2
+    return found
+
+
+def _until(member: Longs, since: Floats, end: float) -> Floats:
+    last = np.concatenate([member[1:] != member[:-1], [True]])
+    return np.where(last, end, np.concatenate([since[1:], [end]]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StraightSteps:
+    """What each member pays: level + slope t0 in each step.
+
+    Attributes
+    ----------
+    member, since, after : ndarray, (S,)
+        As in `MemberSteps`.
+    level, slope : ndarray of float, (S,)
+        What the member pays for a departure at 0, and for each second more.
+    merge : ndarray of int, (S,)
+        As in `MemberSteps`.
+    end : float
+        The last departure [s].
+    """
+
+    member: Longs
+    since: Floats
+    after: NDArray[np.int8]
+    level: Floats
+    slope: Floats
+    merge: Longs
+    end: float
+
+    @property
+    def until(self) -> Floats:
+        """When each step ends [s], (S,)."""
+        return _until(self.member, self.since, self.end)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -16,7 +16,7 @@ from ...plans.stretches import Run, stretched
 from .limits import Window
 from .pieces import Pieces, pieces_of
 
-__all__ = ["InTime", "earliest_starts"]
+__all__ = ["DriveTime", "InTime", "earliest_starts", "pieces_of_runs"]
 
 DriveTime = Callable[[Sequence[int], Sequence[int]], float]
 """From a company and edges to seconds."""
@@ -60,19 +60,39 @@ class InTime:
         bool
             False if vehicles wait for each other in a circle, or somebody cannot keep its limits.
         """
-        stretches, ways = stretched(runs)
-        driven: dict[int, set[int]] = {}
-        for index, way in enumerate(ways):
-            for stretch in way:
-                driven.setdefault(stretch, set()).add(index)
-        if any(driven[k] != set(run.company) for k, run in enumerate(stretches)):
-            return False  # one drives on where another turns off and comes back
-        timed = [_Timed(run.company, self._drive_s(run.company, run.edges)) for run in stretches]
-        try:
-            pieces = pieces_of(timed, ways)
-        except CycleError:
+        pieces = pieces_of_runs(runs, self._drive_s)
+        if pieces is None:
             return False
         return self._windows is None or _kept(pieces, self._windows)
+
+
+def pieces_of_runs(runs: Sequence[Sequence[Run]], drive_s: DriveTime) -> Pieces | None:
+    """Return the pieces that runs are driven in.
+
+    Parameters
+    ----------
+    runs : sequence of sequence of Run, (N, ...)
+        Each vehicle's in driving order.
+    drive_s : callable
+        Returns how long a company takes for some edges [s].
+
+    Returns
+    -------
+    Pieces or None
+        None if vehicles wait for each other in a circle.
+    """
+    stretches, ways = stretched(runs)
+    driven: dict[int, set[int]] = {}
+    for index, way in enumerate(ways):
+        for stretch in way:
+            driven.setdefault(stretch, set()).add(index)
+    if any(driven[k] != set(run.company) for k, run in enumerate(stretches)):
+        return None  # one drives on where another turns off and comes back
+    timed = [_Timed(run.company, drive_s(run.company, run.edges)) for run in stretches]
+    try:
+        return pieces_of(timed, ways)
+    except CycleError:
+        return None
 
 
 def earliest_starts(pieces: Pieces, windows: Sequence[Window]) -> list[float]:

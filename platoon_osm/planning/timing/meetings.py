@@ -45,6 +45,11 @@ class PairVehicle:
         Least costs alone from its origin to each node, and from each to its destination.
     window : Window
         When it may leave and arrive [s].
+    alone_s : float
+        How long it drives alone [s].
+    delay_price : float
+        What it costs to arrive a second later than alone, leaving as early as it may; of one that
+        names no earliest departure, nothing.
     """
 
     origin: int
@@ -54,6 +59,8 @@ class PairVehicle:
     there: Floats
     rest: Floats
     window: Window
+    alone_s: float = 0.0
+    delay_price: float = 0.0
 
 
 class Side:
@@ -79,6 +86,8 @@ class Side:
         By what its ways to the other are compared: c - w T.
     price : float
         That w.
+    delay_price : float
+        What it costs to arrive a second later [s].
     """
 
     def __init__(self, vehicle: PairVehicle, named_s: float, wait_price: float) -> None:
@@ -89,7 +98,9 @@ class Side:
         self.leaves = math.inf if own.latest is None else own.latest
         nothing = np.zeros(len(weight))
         self.there_s = nothing if own.earliest is None else vehicle.drive_s
-        self.onward_s = nothing if own.arrival is None else vehicle.drive_s
+        self.delay_price = 0.0 if own.earliest is None else vehicle.delay_price
+        free = own.arrival is None and not self.delay_price
+        self.onward_s = nothing if free else vehicle.drive_s
         self.wait_price = wait_price if math.isfinite(self.leaves) else 0.0
         self.price, self.there_weight = 0.0, weight
         if self.wait_price > 0:
@@ -122,6 +133,21 @@ class Side:
             )
             for way in some
         ]
+
+    def delay_cost(self, arrives_s: float) -> float:
+        """Return what it costs to arrive at a moment.
+
+        Parameters
+        ----------
+        arrives_s : float
+            When [s].
+
+        Returns
+        -------
+        float
+            Less than nothing for who is earlier than alone.
+        """
+        return self.delay_price * (arrives_s - self.first - self.vehicle.alone_s)
 
     def wait_s(self, meets_s: float, ready_s: float) -> float:
         """Return how long it must wait where it meets the other.

@@ -6,7 +6,8 @@ at r_j iff
 
     a_i = e + T_i - tau_i  <=  t0  <=  b_j = l - T'_j - tau_j.
 
-If it has to leave by d, it waits at r_i from c_i = d + T_i - tau_i on.
+If it has to leave by d, it waits at r_i from c_i = d + T_i - tau_i on. It arrives at
+t0 + tau_j + T'_j.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from .kernels import STEPS_OF_MEMBERS
 from .limits import Window
 from .member_ways import Ways
 
-__all__ = ["HAIR_S", "OpenPoints"]
+__all__ = ["HAIR_S", "Delays", "OpenPoints"]
 
 Floats = NDArray[np.float64]
 Marks = NDArray[np.bool_]
@@ -32,6 +33,22 @@ HAIR_S = 5e-7
 
 EVENT_S = 2e-5
 """About what an event takes as the kernel stands [s]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Delays:
+    """What it costs members to arrive later than alone.
+
+    Attributes
+    ----------
+    rate : ndarray of float, (M,)
+        Price of a second.
+    alone_s : ndarray of float, (M,)
+        When each arrives alone, leaving as early as it may [s].
+    """
+
+    rate: Floats
+    alone_s: Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,6 +65,8 @@ class OpenPoints:
         From which departure on it means waiting at the merging point [s]; inf if never.
     closes : ndarray of float, (V,)
         Until which departure each exit can be used [s].
+    arrives : ndarray of float, (V,)
+        How long after the master's departure who takes each exit arrives [s].
     earliest, latest : float
         Departures that the master itself allows [s].
     latest_waiting : float
@@ -59,6 +78,7 @@ class OpenPoints:
     opens: Floats
     fades: Floats
     closes: Floats
+    arrives: Floats
     earliest: float
     latest: float
     latest_waiting: float
@@ -105,6 +125,7 @@ class OpenPoints:
             first[entries.member] + reached,
             leave[entries.member] + reached,
             last[exits.member] - exits.time_s - route_s[exits.at],
+            exits.time_s + route_s[exits.at],
             -np.inf if master.earliest is None else master.earliest,
             min(late, whole),
             whole,
@@ -118,7 +139,28 @@ class OpenPoints:
         moments = np.concatenate([self.opens, self.closes, [self.latest]])
         return float(moments[np.isfinite(moments)].min(initial=1.0)) - 1.0
 
-    def at(self, departure: float, positions: int, price: float = 0.0) -> tuple[Floats, Floats]:
+    def exit_costs(self, delays: Delays | None) -> Floats:
+        """Return what exits cost if the master leaves at 0.
+
+        Parameters
+        ----------
+        delays : Delays or None
+            Prices of delay; None if it is free.
+
+        Returns
+        -------
+        ndarray of float, (V,)
+            Each second later costs the member's rate more.
+        """
+        if delays is None:
+            return self.exits.cost
+        member = self.exits.member
+        later: Floats = delays.rate[member] * (self.arrives - delays.alone_s[member])
+        return self.exits.cost + later
+
+    def at(
+        self, departure: float, positions: int, price: float = 0.0, delays: Delays | None = None
+    ) -> tuple[Floats, Floats]:
         """Return what joining and leaving cost if the master leaves at some moment.
 
         Parameters
@@ -129,6 +171,8 @@ class OpenPoints:
             How many the route has.
         price : float
             Of a second's waiting.
+        delays : Delays, optional
+            Prices of delay.
 
         Returns
         -------
@@ -143,8 +187,10 @@ class OpenPoints:
         some = self.opens <= departure + HAIR_S
         np.minimum.at(entry, (self.entries.member[some], self.entries.at[some]), cost[some])
         some = self.closes >= departure - HAIR_S
-        exits = self.exits
-        np.minimum.at(leave, (exits.member[some], exits.at[some]), exits.cost[some])
+        exits, cost = self.exits, self.exit_costs(delays)
+        if delays is not None:
+            cost = cost + delays.rate[exits.member] * departure
+        np.minimum.at(leave, (exits.member[some], exits.at[some]), cost[some])
         return entry, leave
 
     def entry_way(self, member: int, position: int, departure: float) -> tuple[float, float]:
@@ -166,9 +212,12 @@ class OpenPoints:
         time_s : float
             How long it takes [s].
         """
-        return _cheapest(self.entries, member, position, self.opens <= departure + HAIR_S)
+        some = self.opens <= departure + HAIR_S
+        return _cheapest(self.entries, self.entries.cost, member, position, some)
 
-    def exit_way(self, member: int, position: int, departure: float) -> tuple[float, float]:
+    def exit_way(
+        self, member: int, position: int, departure: float, delays: Delays | None = None
+    ) -> tuple[float, float]:
         """Return cost and time of the way that a member takes from a position.
 
         Parameters
@@ -179,15 +228,18 @@ class OpenPoints:
             Where it separates.
         departure : float
             When the master leaves [s].
+        delays : Delays, optional
+            Prices of delay.
 
         Returns
         -------
         cost : float
-            Of the cheapest way that is open.
+            Of the way that is open and costs least with its delay, without that.
         time_s : float
             How long it takes [s].
         """
-        return _cheapest(self.exits, member, position, self.closes >= departure - HAIR_S)
+        some = self.closes >= departure - HAIR_S
+        return _cheapest(self.exits, self.exit_costs(delays), member, position, some)
 
     def steps(
         self,
@@ -197,6 +249,7 @@ class OpenPoints:
         gains: Gains | None = None,
         price: float = 0.0,
         latest: float | None = None,
+        delays: Delays | None = None,
     ) -> MemberSteps:
         """Return what each member pays, by the master's departure.
 
@@ -214,6 +267,8 @@ class OpenPoints:
             Of a second's waiting.
         latest : float, optional
             The last departure to look at [s]; by default the master's own.
+        delays : Delays, optional
+            Prices of delay.
 
         Returns
         -------
@@ -225,19 +280,24 @@ class OpenPoints:
         kernel = STEPS_OF_MEMBERS.ready(count * EVENT_S)
         end = self.latest if latest is None else latest
         along = np.zeros(platoon.shape[1]) if gains is None else gains.along_m
+        # What does not grow with the departure is kept apart from what does.
+        rate = np.zeros(len(alone)) if delays is None else delays.rate
+        level = np.full(len(alone), np.inf) if rate.any() else alone
         found = kernel(
             ways.first, ways.at, ways.cost - platoon[ways.member, ways.at],
             self.opens, self.fades if price else np.zeros(0),
-            rest.first, rest.at, platoon[rest.member, rest.at] + rest.cost,
-            self.closes + HAIR_S, alone, slack, along, self.earliest, end, price,
+            rest.first, rest.at, platoon[rest.member, rest.at] + self.exit_costs(delays),
+            self.closes + HAIR_S, level, slack, along, self.earliest, end, price,
             gains is not None,
         )  # fmt: skip
-        return MemberSteps(*found, len(alone), self.earliest, end, price)
+        return MemberSteps(*found, len(alone), self.earliest, end, price, alone, rate)
 
 
-def _cheapest(ways: Ways, member: int, position: int, some: Marks) -> tuple[float, float]:
+def _cheapest(
+    ways: Ways, costs: Floats, member: int, position: int, some: Marks
+) -> tuple[float, float]:
     own = slice(int(ways.first[member]), int(ways.first[member + 1]))
     there = some[own] & (ways.at[own] == position)
-    cost, time_s = ways.cost[own][there], ways.time_s[own][there]
+    cost, time_s = costs[own][there], ways.time_s[own][there]
     best = int(np.lexsort((time_s, cost))[0])
-    return float(cost[best]), float(time_s[best])
+    return float(ways.cost[own][there][best]), float(time_s[best])

@@ -163,6 +163,34 @@ class Programme:
                     named[index] = True
         return named
 
+    def lateness(self) -> Floats:
+        """Return the factors of all lateness.
+
+        Returns
+        -------
+        ndarray of float
+            By variable.
+        """
+        found = np.zeros(self.size)
+        found[self.late : self.origin_wait] = 1
+        return found
+
+    def waiting(self) -> Floats:
+        """Return the factors of all waiting, but for a constant.
+
+        Returns
+        -------
+        ndarray of float
+            By variable.
+        """
+        found = np.zeros(self.size)
+        found[self.origin_wait : -1] = 1
+        for way in self.pieces.ways:
+            # arrival - departure, which is driving time and waiting
+            for column, factor in self.row((way[-1], 1), (way[0], -1)).items():
+                found[column] += factor
+        return found
+
     def aims(self) -> Iterator[Floats]:
         """Yield what is minimised, one after another.
 
@@ -171,14 +199,8 @@ class Programme:
         ndarray of float
             Factors by variable.
         """
-        most_late, all_late, waiting, arrivals, starts = np.zeros((5, self.size))
+        most_late, arrivals, starts = np.zeros((3, self.size))
         most_late[-1] = 1
-        all_late[self.late : self.origin_wait] = 1
-        waiting[self.origin_wait : -1] = 1
-        for way in self.pieces.ways:
-            # arrival - departure, which is driving time and waiting
-            for column, factor in self.row((way[-1], 1), (way[0], -1)).items():
-                waiting[column] += factor
         for group in self.pieces.groups:
             from_when = any(self.asked[index].earliest is not None for index in group)
             for index in group:
@@ -186,7 +208,7 @@ class Programme:
                 arrivals[last] += -1 if self.named[index] and not from_when else 1
         if any(window.arrival is not None for window in self.windows):
             yield most_late
-            yield all_late
+            yield self.lateness()
         for k, piece in enumerate(self.pieces.pieces):
             starts[k] = piece.root == k
-        yield from (waiting, arrivals, starts)
+        yield from (self.waiting(), arrivals, starts)

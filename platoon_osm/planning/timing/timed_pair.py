@@ -11,6 +11,9 @@ cheapest onward way of each that is in time still: with S_k its time, t + S_k <=
 always quick, so the ways to x and from y are sets of labels too. What costs more and takes longer
 is of no use.
 
+Where delay has a price, each pays it for when it arrives; the onward way is then that of least cost
+and price together.
+
 What a plan must pay beside a label is bounded by searches without a clock: F(z), the least that
 both have paid if they are at z together; R(z), the least that both must still pay; and for one
 alone the least that the other and the shared stretch cost. Labels that then exceed a limit are
@@ -53,7 +56,7 @@ class TimedPair:
     Attributes
     ----------
     cost : float
-        Of both, waiting included.
+        Of both, waiting and delay included.
     before, after : tuple of ndarray of int, (2,)
         The two vehicles' edges before merging and after separating.
     shared : ndarray of int, (k,)
@@ -106,14 +109,15 @@ def plan_timed_pair(
         None if no company that is in time costs less than driving alone.
     """
     search = _Search(net, vehicles, together, together_s, wait_price)
-    most = solo_cost * (1 - NO_CHEAPER)
+    most = solo_cost * (1 - NO_CHEAPER) + search.most_gained
     least = search.blind(most)
     if least >= most:
         return None
     for share in STEPS:
         found = search.within(least + share * (most - least))
         if found is not None:
-            return found
+            # Where delay costs something, quicker ways apart may be best of all.
+            return found if len(found.shared) else None
     return None
 
 
@@ -142,6 +146,12 @@ class _Search:
             self._least(self.back, _open(side, side.onward_s), Seeds.one(side.vehicle.destination))
             for side in self.sides
         ]
+        self.most_gained = sum(
+            side.delay_price * max(0.0, side.vehicle.alone_s - float(rest[side.vehicle.origin]))
+            for side, rest in zip(self.sides, self.rest_s, strict=True)
+            if side.delay_price
+        )
+        """What both could gain by arriving earlier than alone: limits are of costs without that."""
         self.latest = np.minimum(
             *(_less(side.last, rest) for side, rest in zip(self.sides, self.rest_s, strict=True))
         )
@@ -192,7 +202,7 @@ class _Search:
         )  # fmt: skip
         onward = (self._ways_on(0, joined, limit), self._ways_on(1, joined, limit))
         cost, end, ways = self._ended(shared, onward)
-        if cost > limit:
+        if cost > limit - self.most_gained:
             return None
         edges, seed = shared.traced(end)
         meeting = met[seed]
@@ -248,8 +258,16 @@ class _Search:
                 way = next((k for k in own[node] if now + labels.time[k] <= side.last), None)
                 if way is None:
                     break
+                paid = float(labels.cost[way])
+                if side.delay_price:
+                    pays = [
+                        (float(labels.cost[k]) + side.delay_cost(now + float(labels.time[k])), k)
+                        for k in own[node]
+                        if now + labels.time[k] <= side.last
+                    ]
+                    paid, way = min(pays)
                 chosen.append(way)
-                cost += float(labels.cost[way])
+                cost += paid
             if len(chosen) == 2 and cost < best:
                 best, end, ways = cost, label, (chosen[0], chosen[1])
         return best, end, ways

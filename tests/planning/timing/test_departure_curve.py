@@ -12,9 +12,11 @@ from platoon_osm.planning.timing.curve_kernel import met_on_route, steps_of_memb
 from platoon_osm.planning.timing.departure_curve import Gains
 from platoon_osm.planning.timing.limits import Window
 from platoon_osm.planning.timing.member_ways import Ways
-from platoon_osm.planning.timing.open_points import OpenPoints
+from platoon_osm.planning.timing.open_points import Delays, OpenPoints
 
 HOURS = range(-30, 90)
+ALONE_S = 9
+"""How long every member drives alone [s]."""
 
 
 @dataclass
@@ -36,6 +38,7 @@ class Problem:
     members: list
     master: tuple
     price: float
+    delay: float = 0.0
 
 
 def ways_drawn(draw, positions):
@@ -48,7 +51,7 @@ def ways_drawn(draw, positions):
 
 
 @st.composite
-def problems(draw, priced=False):
+def problems(draw, priced=False, delayed=False):
     edges = draw(st.integers(1, 5))
     members = []
     for _ in range(draw(st.integers(1, 3))):
@@ -67,6 +70,7 @@ def problems(draw, priced=False):
         members,
         (low, low + draw(st.integers(0, 40))),
         draw(st.sampled_from([0.5, 1.0, 3.0])) if priced else 0.0,
+        draw(st.sampled_from([0.25, 1.0])) if delayed else 0.0,
     )
 
 
@@ -86,10 +90,12 @@ def pays(problem, one, leaves):
             if meets - start - time_in >= 0
             and (one.last_departure is None or start <= one.last_departure)
         ]
+        late = 0
+        if one.first is not None:
+            late = leaves + sum(problem.drive[:j]) + time_out - one.first - ALONE_S
         if waits:
-            best = min(
-                best, cost_in + sum(problem.weights[i:j]) + cost_out + problem.price * min(waits)
-            )
+            paid = cost_in + sum(problem.weights[i:j]) + cost_out + problem.price * min(waits)
+            best = min(best, paid + problem.delay * late)
     return best
 
 
@@ -117,8 +123,13 @@ def steps_for(problem, points, gains=None, latest=None):
     count = len(problem.members)
     platoon = np.tile(np.concatenate([[0.0], np.cumsum(problem.weights)]), (count, 1))
     alone = np.array([one.alone for one in problem.members], float)
+    delays = Delays(
+        np.array([0.0 if one.first is None else problem.delay for one in problem.members]),
+        np.array([float((one.first or 0) + ALONE_S) for one in problem.members]),
+    )
     return points.steps(
-        platoon, alone, 1e-11 * alone, gains, problem.price, latest
+        platoon, alone, 1e-11 * alone, gains, problem.price, latest,
+        delays if problem.delay else None,
     )  # fmt: skip
 
 
@@ -129,6 +140,16 @@ def test_the_curve_is_the_least_cost_at_every_departure(problem):
     first, last = problem.master
     for leaves in range(first, last + 1):
         expected = 7 + sum(pays(problem, one, leaves) for one in problem.members)
+        assert curve.values(np.array([leaves]))[0] == pytest.approx(expected, abs=1e-9)
+
+
+@given(problem=problems(delayed=True) | problems(priced=True, delayed=True))
+@settings(max_examples=80)
+def test_delay_has_its_price(problem):
+    curve = steps_for(problem, points_of(problem)).curve(3.0, slope=0.5)
+    first, last = problem.master
+    for leaves in range(first, last + 1):
+        expected = 3 + 0.5 * leaves + sum(pays(problem, one, leaves) for one in problem.members)
         assert curve.values(np.array([leaves]))[0] == pytest.approx(expected, abs=1e-9)
 
 
@@ -160,7 +181,7 @@ def test_the_least_is_at_the_earliest_departure_or_where_an_entry_opens(problem)
     assert curve.moment(step) == min(at for at in every if every[at] == pytest.approx(value))
 
 
-@given(problem=problems() | problems(priced=True))
+@given(problem=problems() | problems(priced=True) | problems(priced=True, delayed=True))
 @settings(max_examples=60)
 def test_nobody_pays_less_than_at_its_own_best_departure(problem):
     least = steps_for(problem, points_of(problem)).least()
