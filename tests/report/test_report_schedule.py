@@ -223,8 +223,10 @@ def test_the_demo_fits_its_budget(tmp_path: Path) -> None:
 def test_lateness_is_said(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
     write_html(timed(plan, late=True), net, tmp_path / "late.html")
     text = (tmp_path / "late.html").read_text(encoding="utf-8")
-    assert "Too late, at best: A by 57 min." in text
     assert "1 of 3 late, by 57 min; late even alone" in text
+    # Of the panel its own row says so, and no box above the schedule again.
+    assert re.findall(r"<small class=\"?late-by\"?>([^<]*)</small>", text) == ["57 min late"]
+    assert "Too late" not in text
 
 
 @pytest.mark.parametrize("start", range(0, len(HOSTILE), 24))

@@ -162,7 +162,7 @@ def test_a_late_page(visit: Visit, tmp_path: Path, width: int) -> None:
     # Status, figures, table, and lateness in each row, in this order.
     tops = [
         page.locator(selector).first.bounding_box()["y"]
-        for selector in (".status.bad", ".figures", ".costs", ".late")
+        for selector in (".status.bad", ".figures", ".costs", ".late-by")
     ]
     assert tops == sorted(tops)
     assert page.locator(".costs tbody .late-by").count() == 3

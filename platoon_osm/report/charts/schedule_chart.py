@@ -8,7 +8,6 @@ from ...plans.clock import MENTIONED_S, Clock, whole_minutes
 from ..document.model import Document
 from ..document.model_day import VehicleDay
 from ..document.model_law import Standing
-from ..document.model_vehicle import Vehicle
 from ..drawing.crowd import CROWD
 from ..drawing.palette import CASING, INK, LATE, MUTED, TICK
 from ..language.speech import clock_time, say
@@ -115,7 +114,6 @@ def schedule_chart(document: Document, members: Sequence[int], key: str = "") ->
             ),
             "rows": tuple(rows),
             "description": spoken_list(vehicles),
-            "late": _late(vehicles),
             "note": schedule_notes(document, members),
         },
     )
@@ -167,19 +165,6 @@ class _Axis:
 
     def at(self, moment: float) -> str:
         return f"{self.x(moment):.1f}"
-
-
-def _late(vehicles: Sequence[Vehicle]) -> Tree:
-    who = _late_ones(vehicles)
-    return Piece("schedule-late", {"text": say("schedule.late", who=who)}) if who else NOTHING
-
-
-def _late_ones(vehicles: Sequence[Vehicle]) -> str:
-    return ", ".join(
-        say("schedule.late-by", vehicle=vehicle.called, time=vehicle.times.text.late)
-        for vehicle in vehicles
-        if vehicle.times is not None and vehicle.times.is_late
-    )
 
 
 def schedule_notes(document: Document, members: Sequence[int]) -> str:
