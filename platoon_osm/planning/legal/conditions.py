@@ -30,6 +30,7 @@ def of_every_plan(question: Question) -> tuple[str, ...]:
     tuple of str
         Sentences.
     """
-    free = question.time_prices.waiting == 0
+    prices = question.time_prices
     rules = f"driving rules {question.problem.rules.name}"
-    return (rules, WHOLE_SECONDS, *((WAITING_FREE,) if free else ()))
+    free = () if prices.waiting else (WAITING_FREE,)
+    return (rules, WHOLE_SECONDS, *free)

@@ -351,6 +351,31 @@ class LegalQuestion:
         )
         return found
 
+    def hurried(self, delay_s: float) -> LegalQuestion:
+        """Return the same question with a limit of delay besides the windows.
+
+        Parameters
+        ----------
+        delay_s : float
+            How much later than alone each vehicle that names an earliest departure may arrive [s].
+
+        Returns
+        -------
+        LegalQuestion
+            No vehicle may do what it could not before.
+        """
+        late = math.floor(delay_s)
+        found = copy(self)
+        found.__dict__.pop("has_closings", None)
+        found._open = {}
+        found.__dict__["spans"] = tuple(
+            span
+            if asked.earliest is None
+            else replace(span, arrival_s=min(span.arrival_s, own.trip.arrival_s + late))
+            for span, asked, own in zip(self.spans, self._asked, self.alone, strict=True)
+        )
+        return found
+
     @cached_property
     def has_closings(self) -> bool:
         """Whether a road of somebody's way is closed at some hour that matters."""

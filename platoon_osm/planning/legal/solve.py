@@ -13,7 +13,7 @@ from ...plans.text_table import listed
 from ...plans.timetable import LATE_S
 from ...vehicles.profile import Vehicle
 from ..answers import Answer
-from ..best import ANY_WAY, ONE_STRETCH, Best
+from ..best import ANY_WAY, ONE_STRETCH, TIME_PRICED, Best
 from ..company.bound import least_total
 from ..company.draft import NO_CHEAPER, Draft
 from ..question import Question
@@ -29,6 +29,7 @@ from .conditions import (
 from .lawful_plan import timed_under_law
 from .legal_question import LegalQuestion
 from .stars import Planned, planned_platoons
+from .time_priced import least_with_time
 from .what_would_do import what_would_do
 
 __all__ = ["solved_under_law"]
@@ -62,28 +63,36 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
         A vehicle has no legal trip at all.
     """
     legal = LegalQuestion(question, vehicles)
-    planned = planned_platoons(legal)
-    draft = Draft.of(planned.runs)
-    master = planned.master if planned.master is not None else question.first_master
-    asked = question.problem.case
-    case = "C" if asked == "best" else asked
-    answer = Answer(draft, draft.costs(question.fleet), case, master, planned.bound)
-    best = Best(answer, _proof(legal, planned, answer), tuple(planned.tried), ())
-    plan = write(best, reasons_alone(question, answer))
-    timed = timed_under_law(legal, plan, planned.runs, planned.driven)
+
+    def finish(planned: Planned) -> Plan:
+        draft = Draft.of(planned.runs)
+        master = planned.master if planned.master is not None else question.first_master
+        asked = question.problem.case
+        case = "C" if asked == "best" else asked
+        answer = Answer(draft, draft.costs(question.fleet), case, master, planned.bound)
+        best = Best(answer, _proof(legal, planned, answer), tuple(planned.tried), ())
+        plan = write(best, reasons_alone(question, answer))
+        return timed_under_law(legal, plan, planned.runs, planned.driven)
+
+    if question.time_prices.are_free:
+        timed = finish(planned_platoons(legal))
+    else:
+        timed = least_with_time(legal, finish)
     return replace(timed, remarks=(*timed.remarks, *_late(legal, timed)))
 
 
 def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
+    """Tell what is proved of a plan's cost; where time has a price, only what holds for any."""
     question = legal.question
     any_plan = least_total(
         question.net, question.fleet, question.node_pairs, question.least, answer.cost
     )
-    common = of_every_plan(question)
+    priced = not question.time_prices.are_free
+    common = (*of_every_plan(question), *((TIME_PRICED,) if priced else ()))
     if len(question.ends) < 2:
         return Proof.of(answer.cost, answer.cost, common)
     stopped = (STOPPED,) if planned.unfinished else ()
-    if planned.bound is None or planned.waiting_bound is None:
+    if priced or planned.bound is None or planned.waiting_bound is None:
         return _proved(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
     name = question.ends[answer.master or 0].vehicle
     tried = f"{planned.masters} of {planned.masters} masters tried"

@@ -21,7 +21,7 @@ from .legal_question import LegalQuestion
 from .platoon.record import gained
 from .star_in_time import Platooned, case_of, timed_star
 
-__all__ = ["Planned", "planned_platoons"]
+__all__ = ["Planned", "alone_plan", "planned_platoons"]
 
 MOST_SPANS = 16_000
 """Spans of departures that are looked at for all masters together; then the best of each that was
@@ -95,15 +95,8 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
     Planned
         In which nobody is late for company who is in time alone.
     """
-    question = legal.question
-    alone = float(question.solo.sum())
+    question, plan = legal.question, alone_plan(legal)
     everyone = range(len(question.ends))
-    plan = Planned(
-        [runs_alone(route, k) for k, route in enumerate(question.alone)],
-        [Driven(one.way, one.trip, rules)
-         for one, rules in zip(legal.alone, legal.rules, strict=True)],
-        alone, bound=alone, waiting_bound=alone,
-    )  # fmt: skip
     if len(everyone) < 2:
         return plan
     free = set(everyone)
@@ -112,8 +105,11 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
     if first is None:
         return plan
     plan.company = len(first.joined) - 1
-    plan.master, plan.bound = first.star.master, min(plan.bound or alone, plan.cost)
-    plan.waiting_bound = min(plan.waiting_bound or alone, plan.cost)
+    plan.master = first.star.master
+    plan.bound, plan.waiting_bound = (
+        min(plan.cost if one is None else one, plan.cost)
+        for one in (plan.bound, plan.waiting_bound)
+    )
     several = question.problem.company == "anywhere" and question.problem.case in ("C", "best")
     free -= set(first.joined)
     while several and len(free) > 1:
@@ -123,6 +119,29 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
         plan.bound = plan.waiting_bound = None
         free -= set(more.joined)
     return plan
+
+
+def alone_plan(legal: LegalQuestion) -> Planned:
+    """Return the plan in which everyone drives alone.
+
+    Parameters
+    ----------
+    legal : LegalQuestion
+        What is asked, with its law.
+
+    Returns
+    -------
+    Planned
+        Always possible.
+    """
+    question = legal.question
+    alone = float(question.solo.sum())
+    return Planned(
+        [runs_alone(route, k) for k, route in enumerate(question.alone)],
+        [Driven(one.way, one.trip, rules)
+         for one, rules in zip(legal.alone, legal.rules, strict=True)],
+        alone, bound=alone, waiting_bound=alone,
+    )  # fmt: skip
 
 
 def _best_star(
