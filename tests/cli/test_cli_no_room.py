@@ -155,7 +155,8 @@ def test_a_small_disk_that_is_full(name, small_disk, tmp_path, forks):
     os.chdir(small_disk)
     try:
         prepared(tmp_path / "map.platoon")
-        for filled in (0, 300_000, 560_000):
+        # The demo plans for seconds before it writes anything.
+        for filled in (300_000,) if name == "demo" else (0, 300_000, 560_000):
             Path("filler").write_bytes(b"x" * filled)
             before = contents(small_disk)
             done = forks.run(*OUTPUTS[name])
