@@ -182,11 +182,9 @@ def cheapest(one, table, member, known):
     return star.alone[member]
 
 
-def least(one, most_stops, rests):
-    """Return the least that members pay over all departures and so many stops of the master."""
+def timetables(one, most_stops, rests):
+    """Yield what the master can drive, at all departures with so many stops."""
     star = one.star
-    members = range(len(star.alone))
-    best, known = math.inf, {}
     drive = int(star.road.drive_s.sum())
     for stops in all_stops(star, rests):
         if len(stops) > most_stops:
@@ -196,8 +194,44 @@ def least(one, most_stops, rests):
         for departure in range(star.window.earliest_s, last + 1):
             table = Timetable.of(star, departure, stops)
             if one.real(MASTER, 0, 0, table) is not None:
-                best = min(best, sum(cheapest(one, table, k, known) for k in members))
+                yield table
+
+
+def least(one, most_stops, rests):
+    """Return the least that members pay over all departures and so many stops of the master."""
+    members, best, known = range(len(one.star.alone)), math.inf, {}
+    for table in timetables(one, most_stops, rests):
+        best = min(best, sum(cheapest(one, table, k, known) for k in members))
     return best
+
+
+def least_for_all(one, most_stops, rests):
+    """Return the least that members and master pay: what it gains counts once an edge."""
+    star, best, known = one.star, math.inf, {}
+    members = range(len(star.alone))
+    for table in timetables(one, most_stops, rests):
+        options = [list(drivable_pairs(one, table, k, known)) for k in members]
+        for some in itertools.product(*options):
+            met = {edge for _, i, j in some for edge in range(i, j)}
+            best = min(best, sum(cost for cost, _, _ in some) - sum(star.gain[k] for k in met))
+    return best + star.master_alone
+
+
+def drivable_pairs(one, table, member, known):
+    """Yield what a member may do that all together could want: cost and the two nodes."""
+    star = one.star
+    entry, leave, platoon = star.entry[member], star.leave[member], star.platoon[member]
+    yield star.alone[member], 0, 0
+    for i, j in itertools.combinations(range(len(star.node_at)), 2):
+        cost = entry[i] + platoon[j] - platoon[i] + leave[j]
+        if cost - star.gain[i:j].sum() >= star.alone[member]:
+            continue
+        low, high = star.node_at[i], star.node_at[j]
+        key = member, i, j, table.stops, tuple(table.leave_s[low:high])
+        if key not in known:
+            known[key] = one.real(member, i, j, table) is not None
+        if known[key]:
+            yield cost, i, j
 
 
 def needed(one):
