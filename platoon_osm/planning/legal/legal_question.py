@@ -123,8 +123,11 @@ class LegalQuestion:
             )
             for trip, asked in zip(problem.trips, self._asked, strict=True)
         )  # fmt: skip
-        self._open: dict[tuple[Vehicle, int], bool] = {}
-        self._ways: dict[tuple[Vehicle, int, int, int], tuple[Edges, WayPoints]] = {}
+        # Vehicles that are alike are told by the first of them.
+        self._alike = tuple(self.vehicles.index(one) for one in self.vehicles)
+        self._closed: dict[tuple[int, int], Sequence[Interval]] = {}
+        self._open: dict[tuple[int, int], bool] = {}
+        self._ways: dict[tuple[int, int, int, int], tuple[Edges, WayPoints]] = {}
         moments = [at for one in named for at in one.values()]
         self._about = min(moments) - DAY_S, max(moments) + 2 * DAY_S
         self._hours = RoadHours(
@@ -148,9 +151,14 @@ class LegalQuestion:
         sequence of Interval
             Seconds; by driving bans and by the hours of roads.
         """
-        net = self.question.net
-        own = int(net.below_edge[edge]) if isinstance(net, PlacedNetwork) else edge
-        return self._hours.on(own, self.vehicles[index]) if own >= 0 else ()
+        key = self._alike[index], edge
+        found = self._closed.get(key)
+        if found is None:
+            net = self.question.net
+            own = int(net.below_edge[edge]) if isinstance(net, PlacedNetwork) else edge
+            found = self._hours.on(own, self.vehicles[index]) if own >= 0 else ()
+            self._closed[key] = found
+        return found
 
     def way(
         self,
@@ -206,7 +214,7 @@ class LegalQuestion:
             Its points.
         """
         # Vehicles that are alike drive alike, whoever leads.
-        key = self.vehicles[index], int(self.question.fleet.kind[index]), start, end
+        key = self._alike[index], int(self.question.fleet.kind[index]), start, end
         if key not in self._ways:
             edges = self.question.routers[index].route(start, end)
             self._ways[key] = edges, self.way(index, edges)
@@ -396,7 +404,7 @@ class LegalQuestion:
         bool
             Whether nobody has to wait for it.
         """
-        key = self.vehicles[index], edge
+        key = self._alike[index], edge
         if key not in self._open:
             self._open[key] = not self._matters(self.closed(index, edge))
         return self._open[key]

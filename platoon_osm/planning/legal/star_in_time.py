@@ -23,11 +23,12 @@ from .member_ways import MemberWays
 from .platoon.again import Again
 from .platoon.real import Together
 from .platoon.record import PlatoonTiming, gained
-from .platoon.search import search_platoon
+from .platoon.search import PlatoonSearch
+from .platoon.star_searches import StarSearches
 from .platoon.star_times import StarTimes
 from .star_input import star_way
 
-__all__ = ["LIMIT_S", "Platooned", "case_of", "closing_lengths", "timed_star"]
+__all__ = ["LIMIT_S", "Platooned", "StarSearch", "case_of", "closing_lengths"]
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +39,7 @@ BESIDE_S = (0, 1800)
 """How much longer than a closing pauses for it are [s]."""
 
 LIMIT_S = 60.0
-"""No search for one master lasts longer, on however slow a machine [s]."""
+"""No turn of the search for one master lasts longer, on however slow a machine [s]."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,10 +87,8 @@ def case_of(question: Question) -> Case:
     return "A" if asked == "A" else "B" if asked == "B" else "C"
 
 
-def timed_star(
-    legal: LegalQuestion, star: Star, among: Collection[int] | None, most_spans: int
-) -> Platooned:
-    """Return when a star is driven and who drives in it, so that what is asked for is least.
+class StarSearch:
+    """A search for when a star is driven and who drives in it, so that what is asked for is least.
 
     Parameters
     ----------
@@ -97,33 +96,64 @@ def timed_star(
         What is asked, with its law.
     star : Star
         A master and its members.
-    among : collection of int or None
-        The vehicles that may join; None for all.
-    most_spans : int
-        Spans of departures that are looked at.
+    among : collection of int, optional
+        The vehicles that may join; by default all.
 
-    Returns
-    -------
-    Platooned
-        With its cost, and a bound of all plans of this star.
+    Attributes
+    ----------
+    star : Star
+        The same.
     """
-    gain = np.maximum(star.gain, 0.0)
-    if legal.question.problem.optimum == "member" or not gain.any():
-        return _searched(legal, star, among, most_spans)
-    shares = dict.fromkeys((1.0, 1.0 / max(len(star.members), 1)))
-    found = [
-        _for_all(_searched(legal, star, among, most_spans // len(shares), share * gain), share)
-        for share in shares
-    ]
-    best = min(found, key=lambda one: one.timing.cost)
-    timing = replace(
-        best.timing,
-        bound=min(best.timing.cost, max(one.timing.bound for one in found)),
-        waiting_bound=min(best.timing.cost, max(one.timing.waiting_bound for one in found)),
-        proved=all(one.timing.proved for one in found),
-        spans=sum(one.timing.spans for one in found),
-    )
-    return replace(best, timing=timing)
+
+    def __init__(
+        self, legal: LegalQuestion, star: Star, among: Collection[int] | None = None
+    ) -> None:
+        self.star = star
+        gain = np.maximum(star.gain, 0.0)
+        self._shares: tuple[float, ...] = ()
+        if legal.question.problem.optimum == "member" or not gain.any():
+            self._searches = [_Priced(legal, star, among, None)]
+        else:
+            self._shares = tuple(dict.fromkeys((1.0, 1.0 / max(len(star.members), 1))))
+            self._searches = [_Priced(legal, star, among, one * gain) for one in self._shares]
+
+    def go_on(self, most_spans: int, below: float = np.inf) -> Platooned:
+        """Search on.
+
+        Parameters
+        ----------
+        most_spans : int
+            Spans of departures that are looked at before it stops.
+        below : float
+            A plan that costs as much is of no interest, and may not be found; no more than before.
+
+        Returns
+        -------
+        Platooned
+            The best so far with its cost, and a bound of all plans of this star.
+        """
+        if not self._shares:
+            return self._searches[0].go_on(most_spans, below)
+        gain, most = np.maximum(self.star.gain, 0.0), most_spans // len(self._shares)
+        found = [
+            _for_all(one.go_on(most, below + _away(gain, share)), share)
+            for one, share in zip(self._searches, self._shares, strict=True)
+        ]
+        best = min(found, key=lambda one: one.timing.cost)
+        timing = replace(
+            best.timing,
+            bound=min(best.timing.cost, max(one.timing.bound for one in found)),
+            waiting_bound=min(best.timing.cost, max(one.timing.waiting_bound for one in found)),
+            proved=all(one.timing.proved for one in found),
+            spans=sum(one.timing.spans for one in found),
+            asked=sum(one.timing.asked for one in found),
+        )
+        return replace(best, timing=timing)
+
+
+def _away(gain: Floats, share: float) -> float:
+    """Return what is given away of a master's gains if members are paid a share of each."""
+    return (1.0 - share) * float(gain.sum())
 
 
 def _for_all(found: Platooned, share: float) -> Platooned:
@@ -153,8 +183,7 @@ def _for_all(found: Platooned, share: float) -> Platooned:
             pays[row] = float(alone[row])
         else:
             together[row] = own
-    away = (1.0 - share) * float(gain.sum())
-    cost = timing.cost
+    away, cost = _away(gain, share), timing.cost
     if timing.timetable is not None:
         cost = sum(pays) + star.master_alone - gained(star.gain, together)
     timing = replace(
@@ -164,24 +193,34 @@ def _for_all(found: Platooned, share: float) -> Platooned:
     return replace(found, timing=timing, together=together)
 
 
-def _searched(
-    legal: LegalQuestion,
-    star: Star,
-    among: Collection[int] | None,
-    most_spans: int,
-    price: Floats | None = None,
-) -> Platooned:
-    own = star_way(legal, star, case_of(legal.question), among, price)
-    ways = MemberWays(legal, own)
-    timing = search_platoon(
-        own.times, ways.trips, LIMIT_S, most_spans=most_spans, roads=ways.trips, plain=ways.open(),
-        again=_again(legal, ways) if case_of(legal.question) == "C" else None,
-        lengths=closing_lengths(own.times),
-    )  # fmt: skip
-    together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
-        () for _ in star.members
-    ]
-    return Platooned(star, timing, ways, together)
+class _Priced:
+    """The search of a star whose members are paid for company, or not."""
+
+    def __init__(
+        self,
+        legal: LegalQuestion,
+        star: Star,
+        among: Collection[int] | None,
+        price: Floats | None,
+    ) -> None:
+        own = star_way(legal, star, case_of(legal.question), among, price)
+        self._ways = MemberWays(legal, own)
+        trips = self._ways.trips
+        self._search = PlatoonSearch(
+            StarSearches(
+                own.times, trips, trips, plain=self._ways.open(), lengths=closing_lengths(own.times)
+            ),
+            _again(legal, self._ways) if case_of(legal.question) == "C" else None,
+        )
+
+    def go_on(self, most_spans: int, below: float) -> Platooned:
+        """Search on."""
+        star = self._ways.own.star
+        timing = self._search.go_on(most_spans, below, LIMIT_S)
+        together: list[Sequence[Together]] = [one.stretches for one in timing.members] or [
+            () for _ in star.members
+        ]
+        return Platooned(star, timing, self._ways, together)
 
 
 def closing_lengths(times: StarTimes) -> tuple[int, ...]:

@@ -1,7 +1,7 @@
 """The platoons that vehicles form under driving rules: star after star, each with its best master.
 
-Every vehicle is tried as master, those first whose bound without a clock is least, until no other
-can be better. Who is left alone then may form further platoons among themselves, found likewise.
+Every vehicle is tried as master (`compared.py`). Who is left alone then may form further platoons
+among themselves, found likewise.
 """
 
 from __future__ import annotations
@@ -9,26 +9,20 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from ...plans.records import MasterTried
 from ...plans.stretches import Run, runs_alone
 from ..answers import of_pair
-from ..company.draft import NO_CHEAPER
 from ..star import Star
+from .compared import Compared
 from .cut_at_pauses import Driven
 from .legal_question import LegalQuestion
-from .platoon.record import gained
-from .star_in_time import Platooned, case_of, timed_star
+from .star_in_time import Platooned
 
 __all__ = ["Planned", "alone_plan", "planned_platoons"]
 
-MOST_SPANS = 16_000
-"""Spans of departures that are looked at for all masters together; then the best of each that was
+MOST_SPANS = 10_000
+"""Spans of departures that are looked at for all masters together, about; then the best that was
 found is taken, with a bound. It is a count, not a time, lest plans differ between machines."""
-
-LEAST_SPANS = 500
-"""But no fewer than this for one master."""
 
 
 @dataclass(slots=True, eq=False)
@@ -154,34 +148,20 @@ def _best_star(
     """Find the best star of some vehicles and put it into a plan; None if none is cheaper."""
     question = legal.question
     alone = float(question.solo.sum())
-    best: Platooned | None = None
-    least, bounds, waiting = alone, [alone], [alone]
     order = {k: place for place, k in enumerate(question.by_length)}
     stars = sorted(
         _stars(legal, sorted(masters, key=order.__getitem__)), key=lambda star: star.bound
     )
-    tried = []
-    most = max(most_spans // max(len(stars), 1), LEAST_SPANS)
-    for star in stars:
-        if star.bound >= least * (1 - NO_CHEAPER):
-            bounds.append(star.bound)
-            waiting.append(star.bound)
-            break  # those after it have bounds no better
-        found = timed_star(legal, star, among, most)
-        bounds.append(found.timing.bound)
-        waiting.append(found.timing.waiting_bound)
-        plan.unfinished |= not found.timing.proved
-        plan.spans += found.timing.spans
-        plan.asked += found.timing.asked
-        if np.isfinite(found.timing.cost):
-            tried.append(MasterTried(star.master, case_of(legal.question), found.timing.cost))
-        better = found.timing.cost < least * (1 - (NO_CHEAPER if best is None else 0))
-        if better and found.joined and _allowed(legal, found):
-            least, best = found.timing.cost, found
+    compared = Compared(legal, among, alone)
+    compared.search(stars, most_spans)
+    best = compared.best
+    plan.unfinished |= compared.unfinished
+    plan.spans += compared.spans
+    plan.asked += compared.asked
     if among is None:
-        plan.tried = sorted(tried, key=lambda one: one.cost)
+        plan.tried = sorted(compared.tried.values(), key=lambda one: one.cost)
         plan.masters = len(stars)
-        plan.bound, plan.waiting_bound = min(bounds), min(waiting)
+        plan.bound, plan.waiting_bound = compared.bound, compared.waiting_bound
     if best is None:
         return None
     plan.waits |= best.timing.waits
@@ -219,12 +199,3 @@ def _stars(legal: LegalQuestion, masters: Sequence[int]) -> Iterator[Star]:
             answer.draft.routes[k] if k == master else own for k, own in enumerate(question.alone)
         ]
         yield Star(question.net, question.fleet, question.ends, master, question.routers, routes)
-
-
-def _allowed(legal: LegalQuestion, found: Platooned) -> bool:
-    """Tell whether nobody pays more than alone, where members look at their own cost."""
-    question = legal.question
-    if question.problem.optimum == "system":
-        return True
-    star = found.star
-    return gained(star.gain, found.together) >= -NO_CHEAPER * float(question.solo[star.master])

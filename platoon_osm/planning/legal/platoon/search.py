@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .again import Again, joined_again
+from .given_up import leaves, most_gained
 from .longer_stops import longer_stops, waiting_bound
 from .record import MemberTiming, PlatoonTiming, Real, Timetable, gained
 from .spans import SpanSearch
@@ -29,7 +30,7 @@ from .stops import Stops
 from .tables import OwnRoads
 from .ties import simplest
 
-__all__ = ["choices_of", "cost_of", "search_platoon"]
+__all__ = ["PlatoonSearch", "choices_of", "cost_of", "search_platoon"]
 
 Marks = NDArray[np.bool_]
 
@@ -47,6 +48,7 @@ def search_platoon(
     extra_stops: int = 1,
     lengths: tuple[int, ...] = (),
     waits: bool = True,
+    below: float = np.inf,
 ) -> PlatoonTiming:
     """Return when a master leaves and where it stops, so that its members pay least in all.
 
@@ -76,27 +78,78 @@ def search_platoon(
         Lengths of pauses that are tried besides those that the law names [s].
     waits : bool
         Whether the master may stand longer at its stops for its members.
+    below : float
+        A plan in which all together pay as much is of no interest; one that does may not be found.
 
     Returns
     -------
     PlatoonTiming
         Proved if nothing searched is better; else with a bound.
     """
-    began = time.perf_counter()
     searches = StarSearches(star, real, roads, in_time, plain, extra_stops, lengths)
-    begin, end = departures_of(star)
-    needs = searches.needs(end)
-    found = PlatoonTiming(np.inf, np.inf, np.inf, True, None, None)
-    for more in range(MOST_RESTS_MORE + 1):
-        search = searches.search(needs, more)
-        if search is None:
-            break
-        search.deadline, search.most_spans = began + time_limit_s, most_spans
-        ended = search.run(begin, end)
-        found = _result(search, ended, began, again, waits)
-        if found.timetable is not None or not ended:
-            break
-    return found
+    return PlatoonSearch(searches, again, waits).go_on(most_spans, below, time_limit_s)
+
+
+class PlatoonSearch:
+    """A search for the best of one master that may be stopped, and go on.
+
+    Parameters
+    ----------
+    searches : StarSearches
+        Of the star.
+    again : Again, optional
+        As `search_platoon` takes it.
+    waits : bool
+        Likewise.
+    """
+
+    def __init__(
+        self, searches: StarSearches, again: Again | None = None, waits: bool = True
+    ) -> None:
+        self._searches, self._again, self._waits = searches, again, waits
+        self._departures = departures_of(searches.star)
+        self._needs = searches.needs(self._departures[1])
+        self._more = 0
+        self._search = searches.search(self._needs)
+        self._stopped = False
+
+    def go_on(
+        self, most_spans: int = 10**9, below: float = np.inf, time_limit_s: float = np.inf
+    ) -> PlatoonTiming:
+        """Search on, and return the best that was found so far.
+
+        Parameters
+        ----------
+        most_spans : int
+            After so many more spans it stops.
+        below : float
+            As `search_platoon` takes it; no more than before.
+        time_limit_s : float
+            After so much more time it stops, too [s].
+
+        Returns
+        -------
+        PlatoonTiming
+            Proved if it came to its end.
+        """
+        began = time.perf_counter()
+        found = PlatoonTiming(np.inf, np.inf, np.inf, True, None, None)
+        while self._search is not None:
+            search, star = self._search, self._searches.star
+            search.deadline, search.most_spans = began + time_limit_s, search.spans + most_spans
+            most = below - star.master_alone + most_gained(search)
+            if most < search.best:
+                search.best, search.found = most, None
+            ended = search.go_on() if self._stopped else search.run(*self._departures)
+            self._stopped = not ended
+            found = _result(search, ended, began, self._again, self._waits)
+            if found.timetable is not None or not ended or self._more == MOST_RESTS_MORE:
+                break
+            if below < np.inf and leaves(self._searches, self._needs, self._more):
+                break  # it can drive, only not so cheaply
+            self._more += 1
+            self._search = self._searches.search(self._needs, self._more)
+        return found
 
 
 def _result(
@@ -120,7 +173,7 @@ def _result(
             chosen = choices_of(search, stops, departure)
     counts = (search.values.computed, len(search.trips.asked), search.spans)
     if search.found is None or chosen is None:
-        gains = float(np.maximum(star.gain, 0).sum())
+        gains = most_gained(search)
         return PlatoonTiming(
             np.inf, bound + star.master_alone - gains, waiting + star.master_alone - gains,
             ended, None, None, (), alone, True, False, *counts, time.perf_counter() - began,

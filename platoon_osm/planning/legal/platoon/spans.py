@@ -227,6 +227,21 @@ class SpanSearch:
                     for span in self.stops.allowed(self.star.road, stops, begin, end)
                 ]
             )
+        return self.go_on(floor)
+
+    def go_on(self, floor: float = -np.inf) -> bool:
+        """Go on with a search that was stopped.
+
+        Parameters
+        ----------
+        floor : float
+            What all pay at least.
+
+        Returns
+        -------
+        bool
+            As `run`.
+        """
         turn, dive_at, ahead = 0, 1.0, None
         while self.heap:
             if max(self.heap[0][1], floor) >= self.best - self.tolerance:

@@ -1,0 +1,171 @@
+"""Searches that are given up or go on later find what one search without a break does."""
+
+import math
+from dataclasses import replace
+from datetime import datetime, timedelta
+
+import numpy as np
+import pytest
+from small_law import drawn
+
+import platoon_osm as po
+from platoon_osm.planning.asked import Asked
+from platoon_osm.planning.legal import compared
+from platoon_osm.planning.legal.compared import Compared
+from platoon_osm.planning.legal.legal_question import LegalQuestion
+from platoon_osm.planning.legal.platoon import kernel, spans
+from platoon_osm.planning.legal.platoon.given_up import leaves, most_gained
+from platoon_osm.planning.legal.platoon.search import PlatoonSearch, search_platoon
+from platoon_osm.planning.legal.platoon.star_searches import StarSearches
+from platoon_osm.planning.legal.star_in_time import StarSearch
+from platoon_osm.planning.problem import Problem
+
+SIX = datetime(2026, 3, 3, 6)
+NORTH, SOUTH = ("Milano", "Torino", "Genova", "Bologna"), ("Roma", "Napoli", "Firenze")
+
+
+@pytest.fixture
+def short_spans(monkeypatch):
+    """Let spans of a few seconds be split, too, and be cut into few cells."""
+    monkeypatch.setattr(spans, "SPLIT_S", 3)
+    monkeypatch.setattr(kernel, "CELLS", 3)
+
+
+def with_gains(seed, **how):
+    """Return a drawn star whose master gains from company, and which members may go alone."""
+    one = drawn(seed, **how)
+    rng = np.random.default_rng(seed)
+    gain = rng.integers(0, 4, len(one.star.node_at) - 1).astype(float)
+    one.star = replace(one.star, gain=gain)
+    return one, np.array([one.goes_alone(k) for k in range(len(one.star.alone))])
+
+
+def paid(found):
+    return sum(member.cost for member in found.members)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_what_is_cheaper_than_the_best_known_is_found(seed, short_spans):
+    one, able = with_gains(1000 + seed)
+
+    def found_below(below):
+        return search_platoon(
+            one.star, one.real, 60, roads=one, in_time=able, extra_stops=2, waits=False,
+            below=below,
+        )  # fmt: skip
+
+    whole = found_below(math.inf)
+    if not math.isfinite(whole.cost):
+        return
+    for more in (-9.0, -3.0, 0.0, 1.0, 5.0, 40.0):
+        below = whole.cost + more
+        found = found_below(below)
+        assert found.proved
+        if more > 0:
+            assert paid(found) == pytest.approx(paid(whole))
+        if found.timetable is None:
+            assert more <= 0
+            assert found.bound == pytest.approx(below)
+        else:
+            assert paid(found) == pytest.approx(paid(whole))
+
+
+def test_masters_are_given_up():
+    """Else the comparison above would compare nothing."""
+    given_up, fewer = 0, 0
+    for seed in range(20):
+        one, able = with_gains(1000 + seed)
+        whole = search_platoon(one.star, one.real, 60, in_time=able, waits=False)
+        found = search_platoon(
+            one.star, one.real, 60, in_time=able, waits=False, below=whole.cost - 9
+        )
+        given_up += math.isfinite(whole.cost) and found.timetable is None
+        fewer += found.spans < whole.spans
+    assert min(given_up, fewer) >= 5
+
+
+def test_a_search_that_goes_on_finds_the_same(short_spans):
+    turns = 0
+    for seed in range(25):
+        one, able = with_gains(1000 + seed)
+        whole = search_platoon(one.star, one.real, 60, in_time=able, extra_stops=2, waits=False)
+        search = PlatoonSearch(StarSearches(one.star, one.real, None, able, None, 2), None, False)
+        found = search.go_on(1)
+        while not found.proved:
+            assert found.bound <= whole.cost + 1e-9
+            turns, found = turns + 1, search.go_on(7)
+        assert found.cost == pytest.approx(whole.cost)
+        assert paid(found) == pytest.approx(paid(whole))
+    assert turns >= 20
+
+
+def test_a_master_that_needs_another_rest_is_not_given_up_for_it():
+    """Without a rest more it cannot drive at all, whoever comes along; with one it can."""
+    needed = 0
+    for seed in range(60):
+        one, able = with_gains(seed)
+        searches = StarSearches(one.star, one.real, None, able)
+        search = PlatoonSearch(searches, None, False)
+        needs = search._needs
+        whole = search_platoon(one.star, one.real, 60, in_time=able, waits=False)
+        if not math.isfinite(whole.cost):
+            continue
+        some = searches.search(needs)
+        some.run(*search._departures)
+        assert leaves(searches, needs, 0) == (some.found is not None)
+        found = search_platoon(
+            one.star, one.real, 60, in_time=able, waits=False, below=whole.cost + 1
+        )
+        assert paid(found) == pytest.approx(paid(whole))
+        needed += some.found is None
+    assert needed >= 2
+
+
+def test_no_plan_gains_more_than_is_thought():
+    for seed in range(30):
+        one, able = with_gains(1000 + seed)
+        search = StarSearches(one.star, one.real, None, able).search((1, 0))
+        pairs = search.values.pairs
+        met = np.zeros(len(one.star.gain), bool)
+        for at in range(pairs.first[len(able)]):
+            first = search.numbers.first_node
+            met[pairs.merge[at] - first : pairs.separate[at] - first] = True
+        assert most_gained(search) == pytest.approx(one.star.gain[met].sum())
+
+
+@pytest.mark.parametrize(("seed", "objective"), [(0, "member"), (1, "member"), (2, "system")])
+def test_the_best_master_is_that_of_searches_apart(seed, objective, monkeypatch):
+    monkeypatch.setattr(compared, "FIRST_SPANS", 40)
+    monkeypatch.setattr(compared, "LEAST_SPANS", 40)
+    net = po.load_network("italy-motorways")
+    rng = np.random.default_rng(seed)
+    trips = [
+        po.Trip(
+            f"V{k}", str(rng.choice(NORTH)), str(rng.choice(SOUTH)),
+            SIX + timedelta(minutes=int(rng.integers(0, 90))), flexibility_min=60.0,
+        )
+        for k in range(4)
+    ]  # fmt: skip
+    problem = Problem(
+        net, tuple(trips), po.paper_weights(net), rules="eu561", case="C", objective=objective
+    )
+    question = Asked.of(problem).question
+    legal = LegalQuestion(question, [problem.vehicle_of(trip) for trip in trips])
+    stars = sorted(map(question.star, range(4)), key=lambda star: star.bound)
+    alone = float(question.solo.sum())
+    apart = [StarSearch(legal, star).go_on(10**9) for star in stars]
+    assert all(one.timing.proved for one in apart)
+    least = min(one.timing.cost for one in apart if one.joined)
+    assert least < alone
+    found = Compared(legal, None, alone)
+    found.search(stars, 10**6)
+    assert found.least == pytest.approx(least)
+    assert found.best.timing.cost == found.least
+    if objective == "member":
+        assert found.bound == pytest.approx(least)
+        assert not found.unfinished
+    assert found.spans < sum(one.timing.spans for one in apart)
+    short = Compared(legal, None, alone)
+    short.search(stars, 1)
+    assert short.bound <= least + 1e-6
+    assert short.unfinished == (short.bound < short.least * (1 - 1e-9))
