@@ -6,17 +6,21 @@ from datetime import datetime, timedelta
 
 import numpy as np
 import pytest
-from small_law import drawn
+from small_law import SMALL, drawn
 
 import platoon_osm as po
+from platoon_osm.driving.state import RESTED
 from platoon_osm.planning.asked import Asked
 from platoon_osm.planning.legal import compared
 from platoon_osm.planning.legal.compared import Compared
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
 from platoon_osm.planning.legal.legal_question import LegalQuestion
 from platoon_osm.planning.legal.platoon import kernel, spans
 from platoon_osm.planning.legal.platoon.given_up import leaves, most_gained
+from platoon_osm.planning.legal.platoon.real import RoadTrips
 from platoon_osm.planning.legal.platoon.search import PlatoonSearch, search_platoon
-from platoon_osm.planning.legal.platoon.star_searches import StarSearches
+from platoon_osm.planning.legal.platoon.star_searches import StarSearches, departures_of
+from platoon_osm.planning.legal.platoon.star_times import NEVER_S, Span, StarTimes, VehicleRules
 from platoon_osm.planning.legal.star_in_time import StarSearch
 from platoon_osm.planning.problem import Problem
 
@@ -100,25 +104,37 @@ def test_a_search_that_goes_on_finds_the_same(short_spans):
 
 
 def test_a_master_that_needs_another_rest_is_not_given_up_for_it():
-    """Without a rest more it cannot drive at all, whoever comes along; with one it can."""
-    needed = 0
-    for seed in range(60):
-        one, able = with_gains(seed)
-        searches = StarSearches(one.star, one.real, None, able)
-        search = PlatoonSearch(searches, None, False)
-        needs = search._needs
-        whole = search_platoon(one.star, one.real, 60, in_time=able, waits=False)
-        if not math.isfinite(whole.cost):
-            continue
-        some = searches.search(needs)
-        some.run(*search._departures)
-        assert leaves(searches, needs, 0) == (some.found is not None)
-        found = search_platoon(
-            one.star, one.real, 60, in_time=able, waits=False, below=whole.cost + 1
-        )
-        assert paid(found) == pytest.approx(paid(whole))
-        needed += some.found is None
-    assert needed >= 2
+    """Its road is closed for longer than a break, and it may not leave later."""
+    late = Span(0, 0, 20)
+    rules = VehicleRules(SMALL, RESTED, 0)
+    star = StarTimes(
+        road=road_of([1, 1], [NO_LIMIT] * 3, forbidden=[[], [(0, 8)]]), node_at=np.array([0, 2]),
+        window=late, rules=rules, approach_s=np.array([[0, NEVER_S]]),
+        onward_s=np.array([[NEVER_S, 0]]), entry=np.array([[0.0, np.inf]]),
+        leave=np.array([[np.inf, 0.0]]), platoon=np.array([[0.0, 9.0]]),
+        length_m=np.array([0.0, 2e4]), alone=np.array([10.0]), alone_s=np.array([2]),
+        windows=(late,), member_rules=(rules,), relief=0.0, master_alone=10.0, gain=np.ones(1),
+    )  # fmt: skip
+    nothing = road_of([], [NO_LIMIT])
+    trips = RoadTrips(star, lambda *_: nothing, lambda *_: nothing)
+    searches = StarSearches(star, trips, extra_stops=1)
+    assert not leaves(searches, (0, 0), 0)
+    assert leaves(searches, (0, 0), 1)
+    for below, cost in ((math.inf, 18.0), (18.5, 18.0), (17.0, math.inf)):
+        found = search_platoon(star, trips, 60, below=below)
+        assert found.proved
+        assert found.cost == cost
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_master_leaves_with_company_or_without(seed):
+    one, able = with_gains(seed, wide=seed % 2 == 1)
+    searches = StarSearches(one.star, one.real, None, able)
+    last = departures_of(one.star)
+    needs = searches.needs(last[1])
+    search = searches.search(needs)
+    search.run(*last)
+    assert leaves(searches, needs, 0) == (search.found is not None)
 
 
 def test_no_plan_gains_more_than_is_thought():
@@ -147,7 +163,7 @@ def test_the_best_master_is_that_of_searches_apart(seed, objective, monkeypatch)
         for k in range(4)
     ]  # fmt: skip
     problem = Problem(
-        net, tuple(trips), po.paper_weights(net), rules="eu561", case="C", objective=objective
+        net, tuple(trips), po.paper_weights(net), rules="eu561", case="C", optimum=objective
     )
     question = Asked.of(problem).question
     legal = LegalQuestion(question, [problem.vehicle_of(trip) for trip in trips])
