@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import itertools
+import sys
 
 import numpy as np
 import pytest
@@ -69,3 +71,31 @@ def test_numba_is_not_imported_to_look_for_what_is_kept(kernel, monkeypatch):
 def test_who_asks_for_it_gets_it_compiled(kernel):
     assert is_compiled(kernel.now())
     assert is_compiled(kernel.ready(0.0))
+
+
+def _fresh(folder, monkeypatch):
+    """Return the kernel of two new modules, one of which calls the other."""
+    monkeypatch.syspath_prepend(str(folder))
+    for name in ("a_kernel", "a_helper"):
+        sys.modules.pop(name, None)
+    importlib.invalidate_caches()
+    kernel, helper = (importlib.import_module(name) for name in ("a_kernel", "a_helper"))
+    return WhereItPays(kernel.kernel, 4.0, (helper.helped,))
+
+
+def test_what_is_kept_holds_as_long_as_all_that_is_called(tmp_path, monkeypatch):
+    (tmp_path / "a_kernel.py").write_text(
+        "from a_helper import helped\n\n\ndef kernel(x):\n    return helped(x) + 1.0\n"
+    )
+    helper = tmp_path / "a_helper.py"
+    helper.write_text("def helped(x):\n    return 2.0 * x\n")
+    one = _fresh(tmp_path, monkeypatch)
+    assert not one.is_kept()
+    assert one.now()(3.0) == 7.0
+    assert _fresh(tmp_path, monkeypatch).is_kept()
+    helper.write_text("def helped(x):\n    return 30.0 * x\n")
+    other = _fresh(tmp_path, monkeypatch)
+    assert not other.is_kept()
+    assert other.now()(3.0) == 91.0
+    for name in ("a_kernel", "a_helper"):
+        sys.modules.pop(name, None)

@@ -30,6 +30,14 @@ LENGTHS = 14
 """How many kinds there are; the lengths of their pauses come first among the numbers. The last are
 the three rests in which two drivers change seats."""
 
+# Positions of the limits, after the lengths of the pauses.
+SPELL, WORK, PIECE_LENGTH, DAY, LONG_DAY, MOST_LONG, WINDOW, LONG_WINDOW = range(
+    LENGTHS, LENGTHS + 8
+)
+MOST_REDUCED, MOST_WEEK, FORTNIGHT, WEEKLY_DUE, BESIDE_LENGTH, CALENDAR, POOLED, DUE = range(
+    LENGTHS + 8, LENGTHS + 16
+)
+
 APART = (NONE, FIRST, SECOND, BREAK, REDUCED, DAILY, WEEKLY, PIECE, NONE, NONE, BREAK,
          REDUCED, DAILY, WEEKLY)  # fmt: skip
 """What each kind is to both drivers, whether they change seats in it or not."""

@@ -22,19 +22,9 @@ from ....driving.limits import Limits
 from ....driving.state import DriverState
 from ....errors import ScenarioError
 from .kernel import label_search
-from .label_search import (
-    CALENDAR,
-    FORTNIGHT,
-    GONE,
-    GONE_MOST,
-    MOST_WEEK,
-    TIME,
-    WEEK_S,
-    WEEKLY_DUE,
-    WEEKLY_END,
-    least_left,
-)  # fmt: skip
-from .numbers import CHANGE, kinds_of, numbers_of
+from .label import GONE, GONE_MOST, TIME, WEEK_S, WEEKLY_END
+from .least_left import least_left
+from .numbers import CALENDAR, CHANGE, FORTNIGHT, MOST_WEEK, WEEKLY_DUE, kinds_of, numbers_of
 from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road
 from .start import Start, starts_of
 from .timed import chosen, timed

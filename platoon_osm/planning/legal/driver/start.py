@@ -12,19 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....driving.state import DriverState
-from .label_search import (
+from .label import (
     BESIDE,
-    BESIDE_LENGTH,
     BROKEN,
-    CALENDAR,
     CLOSES,
     COLUMNS,
-    DAY,
-    DUE,
     DUTY,
     DUTY_MOST,
     DUTY_WEEK,
-    FORTNIGHT,
     GONE,
     GONE_MOST,
     INFO,
@@ -32,8 +27,6 @@ from .label_search import (
     LAST_WEEK,
     LASTS,
     LONG_DAYS,
-    LONG_WINDOW,
-    MOST_WEEK,
     OPENS,
     OTHER_BROKEN,
     OTHER_LAST_WEEK,
@@ -42,7 +35,6 @@ from .label_search import (
     OTHER_WEEK,
     PARENT,
     PART,
-    POOLED,
     REDUCED_USED,
     TIME,
     TODAY,
@@ -51,10 +43,20 @@ from .label_search import (
     WEEK_S,
     WEEKLY_END,
     WORKED,
-    allowed,
-    leave,
-)  # fmt: skip
-from .numbers import CHANGE, NONE
+)
+from .numbers import (
+    BESIDE_LENGTH,
+    CALENDAR,
+    CHANGE,
+    DAY,
+    DUE,
+    FORTNIGHT,
+    LONG_WINDOW,
+    MOST_WEEK,
+    NONE,
+    POOLED,
+)
+from .pausing import allowed, leave
 from .road import NO_LIMIT, IntArray
 
 WEEKS = 3

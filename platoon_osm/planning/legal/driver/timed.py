@@ -11,18 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .label_search import (
-    CLOSES,
-    DUTY_MOST,
-    GONE,
-    GONE_MOST,
-    INFO,
-    KIND,
-    LASTS,
-    OPENS,
-    PARENT,
-    TIME,
-)  # fmt: skip
+from .label import CLOSES, DUTY_MOST, GONE, GONE_MOST, INFO, KIND, LASTS, OPENS, PARENT, TIME
 from .numbers import (
     APART,
     BREAK,
@@ -35,7 +24,7 @@ from .numbers import (
     REDUCED,
     SECOND,
     WEEKLY,
-)  # fmt: skip
+)
 from .road import FREE, NO_LIMIT, IntArray, LegalTrip, PlannedPause, Road
 
 __all__ = ["Choice", "chosen", "timed"]

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
 
-__all__ = ["compiled", "lies_in_cache"]
+__all__ = ["compiled", "kept_with", "lies_in_cache"]
 
 Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
@@ -32,6 +32,27 @@ def compiled(kernel: Kernel) -> Kernel:
     return cast(Kernel, numba.njit(cache=True, nogil=True, error_model="numpy")(kernel))
 
 
+def kept_with(kernel: object, helpers: Sequence[Callable[..., Any]]) -> None:
+    """Have what lies in numba's cache count only while the files of all that is called are as then.
+
+    Numba itself looks at the kernel's own file alone.
+
+    Parameters
+    ----------
+    kernel : callable
+        As `compiled` returned it, and not called yet.
+    helpers : sequence of callable
+        Functions of any modules that it calls.
+    """
+    index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
+    if index is None:
+        return
+    files = sorted({helper.__code__.co_filename for helper in helpers})
+    stats = [Path(file).stat() for file in files if Path(file).is_file()]
+    others = tuple((one.st_mtime, one.st_size) for one in stats)
+    index._source_stamp = (index._source_stamp, others)
+
+
 def lies_in_cache(kernel: object) -> bool:
     """Tell whether a compiled function lies in numba's cache, so that loading it is quick.
 
@@ -43,7 +64,9 @@ def lies_in_cache(kernel: object) -> bool:
     Returns
     -------
     bool
-        Whether there is an index of it.
+        Whether there is an index of it that still holds.
     """
     index = getattr(getattr(kernel, "_cache", None), "_cache_file", None)
-    return index is not None and Path(index._index_path).is_file()
+    if index is None or not Path(index._index_path).is_file():
+        return False
+    return bool(index._load_index())

@@ -97,11 +97,12 @@ class WhereItPays(Generic[Kernel]):
         if self._lazy is None:
             from numba.extending import register_jitable
 
-            from .jit import compiled
+            from .jit import compiled, kept_with
 
             for helper in self._helpers:
                 register_jitable(helper)
             self._lazy = compiled(self._plain)
+            kept_with(self._lazy, self._helpers)
         return self._lazy
 
     def _timed(self, *given: Any) -> Any:
