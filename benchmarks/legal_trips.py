@@ -18,6 +18,7 @@ from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.driving.us395 import US395
 from platoon_osm.planning.legal.driver.one_driver import fastest
 from platoon_osm.planning.legal.driver.road import NO_LIMIT, Road, road_of
+from platoon_osm.planning.legal.driver.trip_question import TripQuestion
 from platoon_osm.planning.legal.warmth import warm_up
 
 SPEED_KM_H = 80.0
@@ -62,7 +63,7 @@ def main() -> None:
         for seed in range(options.roads):
             way = road(km, seed, nights)
             begin = time.process_time()
-            fastest(way, limits, state, 0, 6 * 3600)
+            fastest(TripQuestion(way, limits, state, 0, 6 * 3600))
             spent.append(1000 * (time.process_time() - begin))
         print(f"{name:28} median {statistics.median(spent):8.1f} ms, longest {max(spent):8.1f} ms")
 

@@ -6,13 +6,13 @@ from datetime import datetime, timedelta
 import networkx as nx
 import numpy as np
 import pytest
+from legal_trips import fastest
 
 import platoon_osm as po
 from platoon_osm.costs.weights import EdgeWeights
 from platoon_osm.driving.eu561 import EU561
 from platoon_osm.driving.state import RESTED
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.planning.legal.driver.one_driver import fastest
 from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
 from platoon_osm.report.language.plan_sentences import in_language
 from platoon_osm.report.language.speech import speaking

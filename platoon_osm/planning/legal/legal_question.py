@@ -29,6 +29,7 @@ from ..timing.limits import Window, first_named, windows_of
 from ..timing.road_hours import RoadHours
 from .driver.one_driver import fastest
 from .driver.road import LegalTrip
+from .driver.trip_question import TripQuestion
 from .platoon.star_times import OPEN_S, Span, VehicleRules
 from .way_points import WayPoints, way_points
 from .why_no_trip import nothing_left, why_no_trip
@@ -281,10 +282,11 @@ class LegalQuestion:
         def found(
             earliest: int | None, last: int | None, arrival: int | None = None, leave: bool = False
         ) -> LegalTrip | None:
-            return fastest(
+            asked = TripQuestion(
                 way.road, rules.limits, rules.state, rules.state_at_s, earliest, last, arrival,
-                self.monday_s, "leave" if leave else "arrive",
+                self.monday_s,
             )  # fmt: skip
+            return fastest(asked, "leave" if leave else "arrive")
 
         if asked.earliest is not None:
             return found(int(asked.earliest), latest)

@@ -11,6 +11,7 @@ from ...driving.state import RESTED
 from .driver.kernel import LABELS
 from .driver.one_driver import fastest
 from .driver.road import NO_LIMIT, Road, road_of
+from .driver.trip_question import TripQuestion
 from .platoon.again import Again
 from .platoon.compiled import KERNELS
 from .platoon.real import RoadTrips
@@ -32,7 +33,7 @@ def warm_up() -> float:
     for kernel in (LABELS, *KERNELS):
         kernel.now()
     road = road_of([3600] * 3, [NO_LIMIT] * 4)
-    fastest(road, EU561, RESTED, 0, 0)
+    fastest(TripQuestion(road, EU561, RESTED, 0, 0))
     rules = VehicleRules(EU561, RESTED, 0)
     drive_s = np.arange(4) * 3600
     cost = drive_s.astype(np.float64)

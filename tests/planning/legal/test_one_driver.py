@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 from legal_by_hand import WEEK, as_list, legal, trips
+from legal_trips import fastest, least_late
 
 from platoon_osm.driving.eu561 import EU561, EU561_TEAM
 from platoon_osm.driving.limits import UNLIMITED, Limits
@@ -14,7 +15,6 @@ from platoon_osm.driving.us395 import US395
 from platoon_osm.errors import ScenarioError
 from platoon_osm.planning.legal.driver.kernel import LABELS
 from platoon_osm.planning.legal.driver.label_search import search
-from platoon_osm.planning.legal.driver.one_driver import fastest, least_late
 from platoon_osm.planning.legal.driver.road import FREE, NO_LIMIT, road_of
 
 MIN, H = 60, 3600
@@ -349,7 +349,7 @@ def test_compiled_and_plain_searches_agree(monkeypatch):
         road = parked([rng.randint(600, 2400) for _ in range(30)])
         asked = (road, EU561, DriverState(driven_since_break_s=H, driven_today_s=H), 0, 0)
         found = fastest(*asked)
-        used = "platoon_osm.planning.legal.driver.one_driver.label_search"
+        used = "platoon_osm.planning.legal.driver.trip_search.label_search"
         monkeypatch.setattr(used, lambda _: search)
         assert fastest(*asked) == found
         monkeypatch.undo()

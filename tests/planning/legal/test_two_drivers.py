@@ -4,6 +4,7 @@ import math
 import random
 
 import pytest
+from legal_trips import fastest
 from soak import chosen, soaked
 from team_by_hand import WEEK, Case, best_of_all, legal
 
@@ -11,7 +12,6 @@ from platoon_osm.driving.eu561 import EU561_TEAM
 from platoon_osm.driving.limits import Limits
 from platoon_osm.driving.state import DriverState
 from platoon_osm.planning.legal.driver.kernel import LABELS
-from platoon_osm.planning.legal.driver.one_driver import fastest
 from platoon_osm.planning.legal.driver.road import FREE, NO_LIMIT, road_of
 
 MIN, H = 60, 3600

@@ -1,11 +1,11 @@
 """What would have to give for a vehicle to be in time within the law."""
 
 import pytest
+from legal_trips import fastest
 
 from platoon_osm.driving.eu561 import EU561, EU561_TEAM
 from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.errors import ScenarioError
-from platoon_osm.planning.legal.driver.one_driver import fastest
 from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
 from platoon_osm.planning.legal.driver.why_not import why_not
 

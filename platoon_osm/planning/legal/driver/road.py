@@ -8,7 +8,7 @@ that their sums are whole: who keeps the law with them keeps it with the times t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,10 @@ from numpy.typing import NDArray
 from ....errors import ScenarioError
 from ....plans.pauses import PURPOSES
 
-__all__ = ["FREE", "NO_LIMIT", "LegalTrip", "PlannedPause", "Road", "joined_roads", "road_of"]
+__all__ = [
+    "FREE", "NO_LIMIT", "LegalTrip", "PlannedPause", "Road", "joined_roads", "road_of",
+    "stopping_where", "until", "without_bans",
+]  # fmt: skip
 
 IntArray = NDArray[np.int64]
 
@@ -224,3 +227,63 @@ class LegalTrip:
     def paused_s(self) -> int:
         """How long the vehicle stands on the way [s]."""
         return sum(one.end_s - one.start_s for one in self.pauses)
+
+
+def without_bans(road: Road) -> Road:
+    """Return a road that is never closed.
+
+    Parameters
+    ----------
+    road : Road
+        With or without bans.
+
+    Returns
+    -------
+    Road
+        The same without.
+    """
+    first, none = np.zeros_like(road.forbidden_first), np.zeros((0, 2), dtype=np.int64)
+    return replace(road, forbidden_first=first, forbidden_s=none)
+
+
+def stopping_where(road: Road, trip: LegalTrip) -> Road:
+    """Return a road with places only where a trip pauses.
+
+    Parameters
+    ----------
+    road : Road
+        What it drives.
+    trip : LegalTrip
+        The trip.
+
+    Returns
+    -------
+    Road
+        The same otherwise.
+    """
+    stay = np.zeros_like(road.stay_s)
+    points = [pause.point for pause in trip.pauses]
+    stay[points] = road.stay_s[points]
+    return replace(road, stay_s=stay)
+
+
+def until(road: Road, point: int) -> Road:
+    """Return the part of a road up to a point.
+
+    Parameters
+    ----------
+    road : Road
+        The whole.
+    point : int
+        Where it ends.
+
+    Returns
+    -------
+    Road
+        Its first hops.
+    """
+    last = int(road.forbidden_first[point])
+    return Road(
+        road.drive_s[:point], road.clock_s[:point], road.stay_s[: point + 1],
+        road.leave_s[: point + 1], road.forbidden_first[: point + 1], road.forbidden_s[:last],
+    )  # fmt: skip

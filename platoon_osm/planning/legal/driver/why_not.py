@@ -14,6 +14,7 @@ from ....driving.state import DriverState
 from ....errors import ScenarioError
 from .one_driver import farthest, fastest, least_late
 from .road import Road
+from .trip_question import TripQuestion
 
 __all__ = ["REMEDIES", "WhyNot", "why_not"]
 
@@ -96,45 +97,38 @@ def why_not(
     if earliest_s is None and arrival_s is None:
         raise ScenarioError("legal trip: no time is given; name a departure or an arrival")
 
+    asked = TripQuestion(road, limits, state, state_at_s, earliest_s, latest_s, arrival_s, monday_s)
+
     def trip_by(limits: Limits, state: DriverState) -> bool:
-        asked = (road, limits, state, state_at_s, earliest_s, latest_s, arrival_s, monday_s)
-        return fastest(*asked) is not None
+        return fastest(replace(asked, limits=limits, state=state)) is not None
 
     if trip_by(limits, state):
         return None
     late = None
     if earliest_s is not None:
-        asked = (road, limits, state, state_at_s, earliest_s)
-        late = least_late(*asked, latest_s, monday_s)
+        late = least_late(asked)
         if late is not None:
             late = max(0, late - arrival_s) if arrival_s is not None else 0
     earlier = later = None
     if arrival_s is not None:
-        before = fastest(
-            road, limits, state, None, None, earliest_s, arrival_s, monday_s, aim="leave"
-        )
+        free = replace(asked, state_at_s=None, earliest_s=None, latest_s=earliest_s)
+        before = fastest(free, "leave")
         if before is not None and earliest_s is not None:
             earlier = earliest_s - before.departure_s
     if latest_s is not None and earliest_s is not None:
-        after = fastest(road, limits, state, state_at_s, earliest_s, None, arrival_s, monday_s)
+        after = fastest(replace(asked, latest_s=None))
         if after is not None:
-            later = _least_later(
-                road, limits, state, state_at_s, earliest_s, latest_s, after.departure_s,
-                arrival_s, monday_s,
-            )  # fmt: skip
+            later = _least_later(asked, latest_s, after.departure_s)
     helps = tuple(name for name, law, who in _others(limits, team, state) if trip_by(law, who))
     reached = road.hops
     if late is None:
         begin = arrival_s if earliest_s is None else earliest_s
         assert begin is not None
-        reached = farthest(road, limits, state, state_at_s, begin, latest_s, monday_s)
+        reached = farthest(replace(asked, earliest_s=begin))
     return WhyNot(late, earlier, later, helps, reached)
 
 
-def _least_later(
-    road: Road, limits: Limits, state: DriverState, state_at_s: int | None, earliest_s: int,
-    latest_s: int, known_s: int, arrival_s: int | None, monday_s: int,
-) -> int:  # fmt: skip
+def _least_later(asked: TripQuestion, latest_s: int, known_s: int) -> int:
     """Return how much later a departure has to be allowed, to the second, from one that will do.
 
     Who may leave until a moment may leave until a later one, so halving finds it.
@@ -142,8 +136,7 @@ def _least_later(
     low, high = latest_s, known_s
     while high - low > 1:
         middle = (low + high) // 2
-        asked = (road, limits, state, state_at_s, earliest_s, middle, arrival_s, monday_s)
-        if fastest(*asked) is None:
+        if fastest(replace(asked, latest_s=middle)) is None:
             low = middle
         else:
             high = middle

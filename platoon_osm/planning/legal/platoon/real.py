@@ -20,6 +20,7 @@ import numpy as np
 from ....driving.limits import Limits
 from ..driver.one_driver import fastest, least_late
 from ..driver.road import FREE, IntArray, LegalTrip, Road, joined_roads
+from ..driver.trip_question import TripQuestion
 from .record import MASTER, Timetable
 from .star_times import OPEN_S, StarTimes, VehicleRules
 
@@ -86,11 +87,12 @@ class RoadTrips:
         closed = [road.forbidden(k) for k in range(road.hops)]
         road = _road(road.drive_s, road.drive_s, _standing(road.stay_s, table), leave, closed)
         leaves, arrival = int(leave[0]), star.window.arrival_s
-        trip = fastest(
+        asked = TripQuestion(
             road, self._limits(star.rules, road, leaves, arrival, slack), star.rules.state,
             star.rules.state_at_s, leaves, leaves,
             None if arrival >= OPEN_S else arrival + max(slack, 0), star.monday_s,
         )  # fmt: skip
+        trip = fastest(asked)
         moves = self._moves_weeks(star.rules, road, leaves, trip, slack)
         return None if moves else trip
 
@@ -120,12 +122,13 @@ class RoadTrips:
         latest = window.latest_s
         if road.leave_s[0] != FREE:
             latest += slack  # it leaves its origin with the platoon, for all of the span
-        trip = fastest(
+        asked = TripQuestion(
             road, self._limits(rules, road, merges, window.arrival_s, slack), rules.state,
             rules.state_at_s, self._earliest(member, together[0][0], merges),
             None if window.latest_s >= OPEN_S else latest,
             None if window.arrival_s >= OPEN_S else window.arrival_s + slack, star.monday_s,
         )  # fmt: skip
+        trip = fastest(asked)
         return None if self._moves_weeks(rules, road, merges, trip, slack) else trip
 
     def _is_late(self, member: int, i: int, merges: int, slack: int) -> bool:
@@ -144,10 +147,11 @@ class RoadTrips:
                     weekly_after_s=limits.weekly_after_s + LOOSER_S,
                 )  # fmt: skip
             latest = None if window.latest_s >= OPEN_S else window.latest_s
-            self.reached[key] = least_late(
+            asked = TripQuestion(
                 road, limits, rules.state, rules.state_at_s, window.earliest_s, latest,
-                star.monday_s,
+                monday_s=star.monday_s,
             )  # fmt: skip
+            self.reached[key] = least_late(asked)
         reached = self.reached[key]
         return reached is None or merges < reached
 
