@@ -162,9 +162,9 @@ def _result(
     chosen, longer = None, None
     if search.found is not None:
         stops, departure = search.found
-        chosen = choices_of(search, stops, departure)
-        if chosen is not None:
-            pays = _paid(search, chosen)
+        priced = search.choices(stops, departure, with_trips=False)
+        if priced is not None:
+            pays = sum(one[0] for one in priced)
             if ended:
                 stops, departure = simplest(search, stops, departure, pays, *span)
             if waiting < pays - search.tolerance:

@@ -290,14 +290,16 @@ class SpanSearch:
         self.tried += 1
         if self.trips.real is None or self.tried & (self.tried - 1):
             return
-        chosen = self.choices(node.stops, node.begin)
+        chosen = self.choices(node.stops, node.begin, with_trips=False)
         if chosen is None:
             return
         total = sum(one[0] for one in chosen)
         if total < self.best:
             self.best, self.found = total, (node.stops, node.begin)
 
-    def choices(self, stops: Stops, departure: int) -> list[Choice] | None:
+    def choices(
+        self, stops: Stops, departure: int, *, with_trips: bool = True
+    ) -> list[Choice] | None:
         """Return what members do at a departure, the cheapest that can really be driven.
 
         Parameters
@@ -306,6 +308,9 @@ class SpanSearch:
             The master's.
         departure : int
             When it leaves [s].
+        with_trips : bool
+            Whether all trips are wanted; else they are asked for only where the tables do not tell
+            for certain that there is one.
 
         Returns
         -------
@@ -329,10 +334,14 @@ class SpanSearch:
             if self.values.look(rows, rank):
                 continue
             open_rows = np.zeros(len(rows), bool)
+            asks = (merge >= 0) & (self.trips.real is not None)
+            if not with_trips and asks.any():
+                sure = self.values.of(rows, [table], sure=True, throughout=True, rank=rank)
+                asks &= np.isinf(sure.cost[0])
             for k, row in enumerate(rows.tolist()):
                 a, b = int(merge[k]), int(separate[k])
-                trip = None if a < 0 else self.trips.trip(row, a, b, stops, departure, 0)
-                if a < 0 or self.trips.real is None or trip is not None:
+                trip = self.trips.trip(row, a, b, stops, departure, 0) if asks[k] else None
+                if not asks[k] or trip is not None:
                     chosen[row] = float(cost[k]), a, b, trip
                 else:
                     open_rows[k] = True
