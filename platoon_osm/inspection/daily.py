@@ -87,11 +87,14 @@ def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[
         Theirs.
     """
     rests = rests_of(record)
-    began_s = record[0].start_s
+    began_s, reduced = record[0].start_s, start.reduced_rests_used
     if start.duty_s is not None:
         began_s -= start.duty_s
     elif rests[0].start_s == began_s:
-        began_s = rests.pop(0).end_s
+        opening = rests.pop(0)
+        began_s = opening.end_s
+        if opening.span_s >= WEEKLY_S:
+            reduced = 0
     if not rests:
         return (), ()
     drives = [activity for activity in record if activity.driven_s]
@@ -102,7 +105,7 @@ def days_of(record: Record, start: DriverStart) -> tuple[tuple[Day, ...], tuple[
     if began_s // WEEK < week:
         # Nothing is known of the week before, so no long day of it is left.
         long_days += (week - 1,) * MOST_LONG_DAYS
-    first = _Choice(began_s, start.driven_today_s, start.reduced_rests_used, long_days)
+    first = _Choice(began_s, start.driven_today_s, reduced, long_days)
     within_s = TEAM_WITHIN_S if start.drivers > 1 else WITHIN_S
     reached: list[list[_Choice]] = [[first], *([] for _ in rests)]
     for after in range(len(rests)):

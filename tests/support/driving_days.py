@@ -221,6 +221,8 @@ DAILY_REST = [
     day("4h drive, 3h rest, 8h available, 9h rest, 15h available, 9h rest, 1m drive",
         "Art. 8(4) Tue 19:00 +120", **USED),
     # rest before leaving, and rest that is not over yet
+    day("24h rest, 15h available, 9h rest, 1m drive", **USED),
+    day("23h59 rest, 15h available, 9h rest, 1m drive", "Art. 8(4) Tue 18:59 +120", **USED),
     day("5h rest, 13h available, 11h rest, 1m drive", **USED),
     day("5h rest, 13h available, 11h rest, 1m drive", "Art. 8(2) Mon 20:00 +240", duty_h=1, **USED),
     day("11h rest, 13h available, 11h rest, 1m drive", duty_h=13, **USED),
