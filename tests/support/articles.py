@@ -113,6 +113,8 @@ def _days(
 ) -> bool:  # fmt: skip
     """Articles 6(1) and 8: 9 or 10 h from rest to rest, and a rest within 24 h, or 30 of two."""
     if not steps:
+        if begun is None:
+            return True  # it never drove
         # After the arrival it rests, in time.
         due = begun + within + HAIR
         return at + 11 * H <= due or (at + 9 * H <= due and (reduced > 0 or halved))
