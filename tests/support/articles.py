@@ -134,9 +134,9 @@ def _days(
     for low, high in step.stands:
         counts = min(high, begun + within + HAIR) - low
         again = (left, 0.0, high, False, long_days)
-        regular = counts >= 11 * H or (halved and counts >= 9 * H)
+        regular = counts >= 11 * H - HAIR or (halved and counts >= 9 * H - HAIR)
         if (regular and _days(*again, reduced, within, step.end)) or (
-            counts >= 9 * H and reduced > 0 and _days(*again, reduced - 1, within, step.end)
+            counts >= 9 * H - HAIR and reduced > 0 and _days(*again, reduced - 1, within, step.end)
         ):
             return True
         if high - low >= 3 * H - HAIR and not halved:

@@ -49,7 +49,7 @@ def legal(road, limits, state, state_at, monday, trip):
             ((week - 1, state.driven_last_week_s), (week, state.driven_this_week_s))
             if limits.calendar_weeks
             else ((0, state.driven_this_week_s),),
-            ((leaves if resting else since - state.duty_s) - monday) // WEEK,
+            ((leaves if resting else since) - monday) // WEEK,
             state.driven_since_break_s,
         )
     }  # fmt: skip

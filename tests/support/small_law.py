@@ -68,7 +68,7 @@ def drivable(way, rules, window, slack=0, monday=None):
     def paused(now, leaves, counts):
         """Every way to count a pause."""
         time, broken, part, today, duty, long_days, reduced, *weeks = now
-        since = begin if duty is None else duty
+        since = begin if duty is None else max(begin, duty)
         fresh = 0 if new_week(since, leaves) else long_days
         length = min(leaves - time, counts)
         yield (leaves, broken, part, today, duty, long_days, reduced, *weeks)

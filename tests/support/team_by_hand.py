@@ -77,7 +77,8 @@ def crew_of(case, leaves):
     moved = resting and not state.since_weekly_rest_s
     crew = Crew(
         one, one, True, began, state.reduced_rests_used,
-        (leaves if moved else since) - state.since_weekly_rest_s, (began - case.monday) // WEEK,
+        (leaves if moved else since) - state.since_weekly_rest_s,
+        ((leaves if resting else since) - case.monday) // WEEK,
     )  # fmt: skip
     if leaves == since:
         return {crew}

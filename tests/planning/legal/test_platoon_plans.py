@@ -47,7 +47,7 @@ def stands_longer(plan):
 
 
 @soaked
-@pytest.mark.parametrize("seed", range(501, chosen(514, 700)))
+@pytest.mark.parametrize("seed", range(501, chosen(530, 700)))
 def test_nothing_is_cheaper_for_all_together(seed):
     """Under "system", with a master that gains too: the bound holds, and what is exact is least."""
     problem = question(seed)

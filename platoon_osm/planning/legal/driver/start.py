@@ -208,7 +208,7 @@ def _as_of(state: DriverState, at_s: int, numbers: IntArray, monday_s: int) -> I
     elif state.drivers == 2:
         others = [OTHER_TODAY, OTHER_LONG_DAYS, OTHER_WEEK, OTHER_LAST_WEEK]
         label[others] = label[[TODAY, LONG_DAYS, WEEK_DRIVEN, LAST_WEEK]]
-    label[WEEK] = (at_s - monday_s) // WEEK_S
-    label[DUTY_WEEK] = (at_s - duty - monday_s) // WEEK_S
+    # Long days are told of the week in which that holds, though today may have begun before it.
+    label[WEEK] = label[DUTY_WEEK] = (at_s - monday_s) // WEEK_S
     label[BESIDE] = 0 if label[OTHER_BROKEN] else numbers[BESIDE_LENGTH]
     return label
