@@ -108,7 +108,7 @@ def test_a_rest_over_midnight_has_dates_and_a_change_says_whose_turn_it_is() -> 
     (rest,) = (one for one in said if one.kind == "rest")
     assert (rest.time, rest.what) == ("23:06", "Daily rest, 11 h 00 min.")
     assert rest.wait == (
-        "Leave at 10:06 +1 d. From Mon, 2 Mar 2026, 23:06 to Tue, 3 Mar 2026, 10:06 +1 d."
+        "Leave at 10:06 +1 d. From Mon, 2 Mar 2026, 23:06 to Tue, 3 Mar 2026, 10:06."
     )
     # Where the plan does not say who drives which leg, each change is a turn.
     assert plan.timetable is not None

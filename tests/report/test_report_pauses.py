@@ -180,6 +180,22 @@ def test_fatigue_falls_at_a_break_and_not_at_a_first_part() -> None:
     assert list(without) == sorted(without)
 
 
+def test_who_rests_over_night_is_fresh_after_as_much_as_a_break() -> None:
+    plan, net = two_days()
+    assert plan.timetable is not None
+    times = plan.timetable.vehicles[0]
+    (rest,) = (one for one in times.pauses if one.is_rest)
+    curve = document_of(plan, net).vehicles[0].fatigue.joint
+    begin, end = ((at - times.departure_s) / H for at in (rest.start_s, rest.end_s))
+    asleep = [
+        value
+        for hour, value in zip(curve.hours, curve.values, strict=True)
+        if begin + 0.76 < hour <= end
+    ]
+    assert len(asleep) > 30
+    assert set(asleep) == {curve.values[0]}
+
+
 # -- how it is drawn -------------------------------------------------------------------------------
 
 

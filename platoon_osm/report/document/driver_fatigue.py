@@ -2,7 +2,7 @@
 
 The curves are read by driving time alone, and the time of day is left out, for not every plan has
 one. What a driver does in a platoon is taken as in the paper: the driving clock stands. So it does
-while a driver waits; after a break or a rest it runs from 0.
+while a driver waits; after a break, or so much of a rest, it runs from 0.
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ __all__ = ["fatigue_along"]
 
 MODEL = FatigueModel("monotone", task_relief=1.0)
 STEP_S = 900.0
+
+BREAK_S = 2700.0
+"""So long a break is; who rests longer is as fresh from then on [s]."""
 
 
 def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> Fatigue:
@@ -44,7 +47,11 @@ def fatigue_along(vehicle: VehiclePlan, times: VehicleTimes | None = None) -> Fa
         if times is not None:
             since = times.legs[number - 1][1] if number else times.departure_s
             here = (one for one in stands if since <= one.begin_s < times.legs[number][0])
-            legs += (("break" if one.restarts else "wait", one.lasts_s) for one in here)
+            for one in here:
+                if one.restarts:
+                    legs.append(("break", min(one.lasts_s, BREAK_S)))
+                if not one.restarts or one.lasts_s > BREAK_S:
+                    legs.append(("wait", one.lasts_s - BREAK_S * one.restarts))
         legs.append((_role(leg.role), leg.time_s))
     joint = _curve(legs)
     return Fatigue(alone, joint, max(alone.values), max(joint.values))

@@ -11,6 +11,7 @@ import itertools
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import replace
 from datetime import datetime
 
 from ...plans.clock import MENTIONED_S, Clock, ClockFace, duration
@@ -24,6 +25,7 @@ __all__ = [
     "say",
     "speaking",
     "spoken",
+    "time_of_day",
     "zone_text",
 ]
 
@@ -128,6 +130,24 @@ def clock_time(clock: Clock, seconds: float) -> str:
         from UTC if clocks show this time twice.
     """
     return _face_text(clock.face(seconds))
+
+
+def time_of_day(clock: Clock, seconds: float) -> str:
+    """Return a time of day beside its date: "00:10", or "8:21 am".
+
+    Parameters
+    ----------
+    clock : Clock
+        Of the plan.
+    seconds : float
+        After its start.
+
+    Returns
+    -------
+    str
+        As `clock_time` without the number of days.
+    """
+    return _face_text(replace(clock.face(seconds), days=0))
 
 
 def _face_text(face: ClockFace) -> str:

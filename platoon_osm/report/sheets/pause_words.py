@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from ...plans.clock import Clock, duration
 from ...shown_text import fitted, shortened
 from ..document.halts import Halt
-from ..language.speech import clock_time, day_and_date, say
+from ..language.speech import clock_time, day_and_date, say, time_of_day
 from ..markup.quantities import kilometres
 
 __all__ = [
@@ -127,11 +127,12 @@ def from_to(halt: Halt, clock: Clock) -> str:
         A sentence.
     """
     moments = [clock.moment(at) for at in (halt.begin_s, halt.end_s)]
-    times = [clock_time(clock, at) for at in (halt.begin_s, halt.end_s)]
+    ends = (halt.begin_s, halt.end_s)
+    times = [clock_time(clock, at) for at in ends]
     if moments[0].date() != moments[1].date():
         times = [
-            say("sheet.dated", date=day_and_date(moment), time=time)
-            for moment, time in zip(moments, times, strict=True)
+            say("sheet.dated", date=day_and_date(moment), time=time_of_day(clock, at))
+            for moment, at in zip(moments, ends, strict=True)
         ]
     return say("sheet.stand-from", begin=times[0], end=times[1])
 
