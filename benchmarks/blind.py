@@ -38,7 +38,7 @@ Points = list[tuple[int, int]]
 
 
 def best(star: StarTimes) -> PlatoonTiming:
-    found = search_platoon(star, None, 120.0, extra_stops=0)
+    found = search_platoon(star, None, 120.0, extra_stops=0, waits=False)
     assert found.proved
     return found
 
