@@ -36,15 +36,19 @@ class PricedTime:
 
     @property
     def params(self):
+        """What the record of a plan tells."""
         return {"waiting_km_h": self.waiting_km_h, "delay_km_h": self.delay_km_h}
 
     def weights(self, net, vehicle=None):
+        """Return what driving costs."""
         return self.driving.weights(net, vehicle)
 
     def waiting(self, seconds):
+        """Return what waiting costs [m]."""
         return self.waiting_km_h * 1000 * seconds / 3600
 
     def delay(self, seconds):
+        """Return what it costs to arrive later than alone [m]."""
         return self.delay_km_h * 1000 * seconds / 3600
 
 
