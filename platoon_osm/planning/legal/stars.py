@@ -160,7 +160,8 @@ def _best_star(
     plan.asked += compared.asked
     if among is None:
         plan.tried = sorted(compared.tried.values(), key=lambda one: one.cost)
-        plan.masters = len(stars)
+        # The route that suits two best is one more of the same master.
+        plan.masters = len({star.master for star in stars})
         plan.bound, plan.waiting_bound = compared.bound, compared.waiting_bound
     if best is None:
         return None

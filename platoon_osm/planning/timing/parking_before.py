@@ -6,18 +6,20 @@ area or a truck parking before it.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from ...network.road_network import RoadNetwork
 from ...network.road_stop import RoadStop, StopAccess
-from ...network.stops import stops_along
+from ...network.stops import PassedStop, stops_along
 from ...plans.clock import MENTIONED_S
 from ...plans.pauses import PausePlace
 from ...plans.plan import Plan
+from ...plans.records import Stretch
 from ...vehicles.profile import Vehicle
 from ...vehicles.stop_offers import offers_to
 
-__all__ = ["FARTHEST_BACK_M", "parking_before", "parking_place"]
+__all__ = ["FARTHEST_BACK_M", "parking_before", "parking_place", "parkings_back"]
 
 FARTHEST_BACK_M = 50_000.0
 """A parking farther back than this is of no use to who stands: much can happen on the rest of the
@@ -40,6 +42,37 @@ def parking_place(stop: RoadStop, access: StopAccess) -> PausePlace:
         For the record.
     """
     return PausePlace(stop.name, stop.kind, stop.lon, stop.lat, access.beside_m, stop.capacity)
+
+
+def parkings_back(
+    net: RoadNetwork, stretch: Stretch, vehicles: Sequence[Vehicle], back_m: float
+) -> Iterator[tuple[PassedStop, float]]:
+    """Yield the parkings on a stretch that are near the end of a way, the last first.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network whose edges it names.
+    stretch : Stretch
+        A part of the way.
+    vehicles : sequence of Vehicle
+        Those that park.
+    back_m : float
+        How much of the way follows the stretch [m].
+
+    Yields
+    ------
+    PassedStop
+        Where all of them may park.
+    float
+        How far before the end of the way, at most `FARTHEST_BACK_M` [m].
+    """
+    for passed in reversed(stops_along(net, stretch.edges, stretch.span)):
+        before_m = back_m + stretch.length_m - passed.at_m
+        if before_m > FARTHEST_BACK_M:
+            return
+        if all("parking" in offers_to(passed.stop, vehicle) for vehicle in vehicles):
+            yield passed, before_m
 
 
 def parking_before(plan: Plan, net: RoadNetwork, index: int, vehicle: Vehicle) -> str:
@@ -68,14 +101,11 @@ def parking_before(plan: Plan, net: RoadNetwork, index: int, vehicle: Vehicle) -
     if not waits or max(waits) < MENTIONED_S:
         return ""
     stands = waits.index(max(waits))
-    driven, found = 0.0, None
-    for stretch in (plan.stretches[k] for k in plan.ways[index][: stands + 1]):
-        for passed in stops_along(net, stretch.edges, stretch.span):
-            if "parking" in offers_to(passed.stop, vehicle):
-                found = driven + passed.at_m, passed.stop
-        driven += stretch.length_m
-    if found is None or driven - found[0] > FARTHEST_BACK_M:
-        return ""
-    at_m, stop = found
-    name = f" {stop.name}" if stop.name else ""
-    return f", {(driven - at_m) / 1000:.0f} km after the truck parking{name}"
+    back_m = 0.0
+    for number in reversed(plan.ways[index][: stands + 1]):
+        stretch = plan.stretches[number]
+        for passed, before_m in parkings_back(net, stretch, [vehicle], back_m):
+            name = f" {passed.stop.name}" if passed.stop.name else ""
+            return f", {before_m / 1000:.0f} km after the truck parking{name}"
+        back_m += stretch.length_m
+    return ""

@@ -20,9 +20,8 @@ from ...plans.plan import Plan
 from ...plans.records import Stretch
 from ...plans.timetable import LATE_S, VehicleTimes
 from ...vehicles.profile import Vehicle
-from ...vehicles.stop_offers import offers_to
 from .hours_check import broken_hours
-from .parking_before import FARTHEST_BACK_M, parking_place
+from .parking_before import FARTHEST_BACK_M, parking_place, parkings_back
 from .stops import Place, cut_plan, time_to
 
 __all__ = ["with_waits_at_parkings"]
@@ -165,22 +164,19 @@ def _to_parking(
     wait_s: float,
 ) -> _Move | None:
     """Return the move to the last parking before the end of a stretch; None if none is near."""
-    company = plan.stretches[number].vehicles
+    company = [vehicles[index] for index in plan.stretches[number].vehicles]
     chain: list[int] = []
     back_m = 0.0
     current: int | None = number
     while current is not None and back_m <= FARTHEST_BACK_M:
         stretch = plan.stretches[current]
         chain.insert(0, current)
-        for passed in reversed(stops_along(net, stretch.edges, stretch.span)):
+        for passed, _ in parkings_back(net, stretch, company, back_m):
             stop, share = passed.stop, passed.access.share
             stays = stop.max_stay_s is None or stop.max_stay_s >= wait_s
-            parks = all("parking" in offers_to(stop, vehicles[index]) for index in company)
             cut = (passed.place, share) if share < 1.0 else (passed.place + 1, 0.0)
             within = (0, stretch.span[0]) < cut < (len(stretch.edges), 0.0)
-            if back_m + stretch.length_m - passed.at_m > FARTHEST_BACK_M:
-                break
-            if stays and parks and within and cut < (len(stretch.edges) - 1, stretch.span[1]):
+            if stays and within and cut < (len(stretch.edges) - 1, stretch.span[1]):
                 place = parking_place(stop, passed.access)
                 return _Move(tuple(chain), cut, wait_s, place)
         back_m += stretch.length_m

@@ -5,6 +5,7 @@ import random
 from dataclasses import replace
 
 import pytest
+from drawn_roads import drawn_road
 from legal_by_hand import WEEK, as_list, legal, trips
 from legal_trips import fastest, least_late
 
@@ -66,36 +67,6 @@ def drawn_state(rng, step, weeks):
         given["driven_last_week_s"] = rng.randint(0, 3)
         given["since_weekly_rest_s"] = max(rng.randint(0, 5), given.get("duty_s", 0))
     return DriverState(**{name: value * step for name, value in given.items()}, **counts)
-
-
-def drawn_road(rng, step, begins, bans, appointments, relief):
-    n = rng.choice([3, 4, 5])
-    drive = [rng.choice([1, 1, 2, 2, 3]) for _ in range(n)]
-    leave = [FREE] * (n + 1)
-    for _ in range(appointments):
-        point = rng.randint(1, n - 1)
-        leave[point] = begins + (sum(drive[:point]) + rng.randint(0, 7)) * step
-    closed = [[] for _ in range(n)]
-    for _ in range(bans):
-        at = begins + rng.randint(-2, sum(drive) + 4) * step
-        closed[rng.randint(0, n - 1)].append((at, at + rng.randint(1, 5) * step))
-    clock = [rng.randint(0, one) if relief and rng.random() < 0.5 else one for one in drive]
-    return road_of(
-        [one * step for one in drive],
-        [NO_LIMIT if rng.random() < 0.7 else 0 for _ in range(n + 1)],
-        clock_s=[one * step for one in clock],
-        leave_s=leave,
-        forbidden=[apart(own) for own in closed],
-    )
-
-
-def apart(closed):
-    """Return intervals without those that overlap the one before."""
-    found = []
-    for begin, end in sorted(closed):
-        if not found or begin >= found[-1][1]:
-            found.append((begin, end))
-    return found
 
 
 def check(seed, *, bans=0, appointments=0, relief=False, weeks=False, any_time=False):

@@ -56,6 +56,12 @@ def test_two_drivers_need_no_break(net):
     assert not inspect_plan(plan)
 
 
+def test_masters_are_counted_once(net):
+    plan = planned(net, [to_napoli("Milano"), to_napoli("Venezia")])
+    # The route that suits both best is no third master.
+    assert "2 of 2 masters tried" in plan.proof.conditions
+
+
 def test_who_cannot_be_in_time_is_told_by_how_much(net):
     late = SIX + timedelta(hours=14)
     plan = planned(net, [to_napoli("Torino", latest_arrival=late)])

@@ -4,6 +4,7 @@ import math
 import random
 
 import pytest
+from drawn_roads import drawn_road
 from legal_trips import fastest
 from soak import chosen, soaked
 from team_by_hand import WEEK, Case, best_of_all, legal
@@ -12,7 +13,7 @@ from platoon_osm.driving.eu561 import EU561_TEAM
 from platoon_osm.driving.limits import Limits
 from platoon_osm.driving.state import DriverState
 from platoon_osm.planning.legal.driver.kernel import LABELS
-from platoon_osm.planning.legal.driver.road import FREE, NO_LIMIT, road_of
+from platoon_osm.planning.legal.driver.road import NO_LIMIT, road_of
 
 MIN, H = 60, 3600
 STEP = 600
@@ -68,23 +69,10 @@ def drawn_state(rng, step, weeks, tired):
     return DriverState(**{name: value * step for name, value in given.items()}, **counts, drivers=2)
 
 
-def drawn_road(rng, step, begins, bans, appointments, relief, tired):
-    n = rng.choice([4, 5, 6] if tired else [3, 4, 5])
-    drive = [rng.choice([1, 1, 2] if tired else [1, 1, 2, 2, 3]) for _ in range(n)]
-    leave = [FREE] * (n + 1)
-    for _ in range(appointments):
-        point = rng.randint(1, n - 1)
-        leave[point] = begins + (sum(drive[:point]) + rng.randint(0, 7)) * step
-    closed = [[] for _ in range(n)]
-    for _ in range(bans):
-        at = begins + rng.randint(-2, sum(drive) + 4) * step
-        closed[rng.randint(0, n - 1)] = [(at, at + rng.randint(1, 5) * step)]
-    clock = [rng.randint(0, one) if relief and rng.random() < 0.5 else one for one in drive]
-    return road_of(
-        [one * step for one in drive],
-        [NO_LIMIT if rng.random() < 0.8 else 0 for _ in range(n + 1)],
-        clock_s=[one * step for one in clock], leave_s=leave, forbidden=closed,
-    )  # fmt: skip
+def two_drivers_road(rng, step, begins, bans, appointments, relief, tired):
+    """Return a road; for drivers who are tired one of more hops, each of them short."""
+    shape = {"hops": (4, 5, 6), "drives": (1, 1, 2)} if tired else {}
+    return drawn_road(rng, step, begins, bans, appointments, relief, places=0.8, **shape)
 
 
 def check(seed, *, bans=0, appointments=0, relief=False, weeks=False, tired=False):
@@ -96,7 +84,7 @@ def check(seed, *, bans=0, appointments=0, relief=False, weeks=False, tired=Fals
     state_at = None if rng.random() < (0.7 if tired else 0.3) else rng.randint(-2, 2) * step
     earliest = (state_at or 0) + rng.randint(0, 3) * step
     latest = earliest + rng.randint(0, 8) * step
-    road = drawn_road(rng, step, earliest, bans, appointments, relief, tired)
+    road = two_drivers_road(rng, step, earliest, bans, appointments, relief, tired)
     total = int(road.drive_s.sum())
     latest = earliest if tired and rng.random() < 0.5 else latest
     aim = "arrive" if weeks else rng.choice(["arrive", "leave"])
@@ -146,7 +134,7 @@ def test_labels_of_two_that_are_dropped_are_not_missed():
         rng = random.Random(seed)
         tired = seed % 2 == 0
         limits, state = drawn_limits(rng, STEP, False, tired), drawn_state(rng, STEP, False, tired)
-        road = drawn_road(rng, STEP, 0, 0, 0, relief=False, tired=False)
+        road = two_drivers_road(rng, STEP, 0, 0, 0, relief=False, tired=False)
         asked = (road, limits, state, 0, 0, None, None, 500 * STEP)
         kept, every = (fastest(*asked, dominance=one) for one in (True, False))
         assert (kept is None) == (every is None)
