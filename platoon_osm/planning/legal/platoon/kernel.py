@@ -10,9 +10,11 @@ pairs that can be driven at some departure of it: no plan costs less than the su
 too much are dropped from both ends of the span. With the strict entries, exits and limits, a pair
 that can be driven at all departures of a span is certain.
 
-Stops of the master that are not decided yet leave clocks anything from their value down to nothing,
-and the platoon leaves late and arrives early by as much as they may last; but the whole rest of the
-member's trip, with pauses anywhere, must be in time, too. Functions are plain;
+Where stops of the master that are not decided yet may lie between the two points (`open_stops.py`),
+clocks may have begun anew at the last of these places, and the platoon leaves late and arrives
+early by as much as the stops may last; but the whole rest of the member's trip, with pauses
+anywhere, must be in time, too. What was ruled out in a cell of a longer span, or with fewer stops
+decided, stays out. Functions are plain;
 `compiled.py` compiles them.
 """
 
@@ -21,131 +23,35 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .clocks import ARRIVAL, FAR, PLAIN, REST
-from .openings import offsets, openings
-from .own_ways import READY, STANDS
-from .pair_times import HELPERS as TIMES
-from .pair_times import departures
+from .cells import DEAD, charge, holds
+from .cells import HELPERS as CHARGES
+from .clocks import REST
+from .open_stops import COLUMNS, STOPPED, offsets, open_stops
+from .open_stops import HELPERS as STILL_OPEN
 
 __all__ = ["CELLS", "HELPERS", "evaluate"]
 
 Floats = NDArray[np.float64]
 Seconds = NDArray[np.int64]
+Places = NDArray[np.int32]
 
 CELLS = 32
 """Into how many cells a span is cut at most, below 63."""
 
 
-def _charge(
-    m: int, k: int, v: Seconds, approach: Seconds, onward: Seconds, entry_at: Seconds,
-    entries: Seconds, exit_at: Seconds, exits: Seconds, base: int, count: int, pair_i: Seconds,
-    pair_j: Seconds, pair_cost: Floats, alone: float, pos: Seconds, tau: Seconds, clocks: Seconds,
-    own: int, stop_at: Seconds, stop_s: Seconds, c: int, stops: int, open_from: int,
-    rests_open: bool, arrive: Seconds, leave: Seconds, ahead: Seconds, later: Seconds, begin: int,
-    end: int, cells: int, width: int, sure: bool, throughout: bool, floor: float, most: float,
-    total: Floats, from_cell: Seconds, till_cell: Seconds, pays: Floats,
-) -> int:  # fmt: skip
-    """Fill what a vehicle pays in each cell; return its first pair.
-
-    Cells that are, or would be, of no interest cost inf.
-    """
-    n = len(pos)
-    first = -1
-    wanted, least = 0, np.inf  # the cells for which no pair is known yet
-    for g in range(cells):
-        pays[g] = np.inf
-        if total[g] < most:
-            wanted |= 1 << g
-            least = min(least, total[g])
-    if sure and v[PLAIN] == 0 and k < count:
-        wanted, first = 0, k
-    if wanted != 0 and k < count and not throughout:
-        # Before and after which cells a point is of no use, whatever the other one is.
-        for i in range(n):
-            opens, stands = FAR, FAR
-            for e in range(entry_at[m, i, 0], entry_at[m, i, 1]):
-                opens = min(opens, entries[e, READY])
-            for e in range(exit_at[m, i, 0], exit_at[m, i, 1]):
-                stands = min(stands, exits[e, STANDS])
-            opens -= leave[i] + later[i] + begin
-            ends = v[ARRIVAL] - onward[m, i] - stands - arrive[i] - ahead[i] - begin
-            from_cell[i] = max(opens // width, 0)
-            till_cell[i] = min(ends // width, cells - 1)
-    while wanted != 0 and k < count:
-        price = pair_cost[base + k]
-        if not least + price - floor < most:
-            break
-        i, j = pair_i[base + k], pair_j[base + k]
-        k += 1
-        if not throughout and (
-            from_cell[i] > till_cell[j]
-            or (wanted >> from_cell[i]) & ((2 << (till_cell[j] - from_cell[i])) - 1) == 0
-        ):
-            continue
-        low, high = pos[i], pos[j]
-        q = 0
-        while q < stops and stop_at[c, q] <= low:
-            q += 1
-        news = False
-        # The cells for which the separation point is of use.
-        till = (2 << till_cell[j]) - 1 if not throughout else 1
-        for e in range(entry_at[m, i, 1] - 1, entry_at[m, i, 0] - 1, -1):
-            opens = entries[e, READY] - leave[i] - later[i] - begin
-            if opens + begin > end or (
-                opens > 0 and not throughout and (wanted & till) >> (opens // width) == 0
-            ):
-                continue
-            opens, closes = departures(
-                v, entries, e, exits, exit_at[m, j, 0], exit_at[m, j, 1], approach[m, i],
-                onward[m, j], low, high, tau, clocks, own, stop_at, stop_s, c,
-                stops, q, j >= open_from, rests_open, leave[i] + ahead[i],
-                leave[i] + later[i], arrive[j] + ahead[j], sure, begin,
-            )  # fmt: skip
-            if closes < opens or closes < begin or opens > end:
-                continue
-            if throughout:
-                if opens <= begin and closes >= end:
-                    pays[0], wanted = price, 0
-                    break
-                continue
-            last = min((closes - begin) // width, cells - 1)
-            for g in range((opens - begin) // width, last + 1):
-                if (wanted >> g) & 1:
-                    pays[g] = price
-                    wanted ^= 1 << g
-                    news = True
-            if wanted == 0:
-                break
-        if throughout:
-            first, wanted = k - 1, 0
-            break
-        if news:
-            if first < 0:
-                first = k - 1
-            least = np.inf
-            for g in range(cells):
-                if (wanted >> g) & 1:
-                    least = min(least, total[g])
-    if wanted != 0 and k >= count:
-        for g in range(cells):
-            if pays[g] == np.inf:
-                pays[g] = alone
-    return first if first >= 0 else min(k, count)
-
-
-HELPERS = (*TIMES, openings, offsets, _charge)
+HELPERS = (*CHARGES, *STILL_OPEN)
 """What the kernel calls, callees first: to be made known to the compiler before it."""
 
 
 def evaluate(
-    rows: Seconds, rank: Seconds, vehicles: Seconds, approach: Seconds, onward: Seconds,
+    rows: Seconds, rank: Seconds, past: Places, past_begin: int, past_s: int,
+    vehicles: Seconds, approach: Seconds, onward: Seconds,
     entry_at: Seconds, entries: Seconds, exit_at: Seconds, exits: Seconds, pair_first: Seconds,
     pair_i: Seconds, pair_j: Seconds, pair_cost: Floats, alone: Floats, pos: Seconds,
     tau: Seconds, clocks: Seconds, clock_of: Seconds, places: Seconds, plan: Seconds,
-    stop_at: Seconds, stop_s: Seconds, stop_count: Seconds, begun: Seconds, sure: bool,
-    throughout: bool,
-    floor: Floats, most: float, begin: Seconds, end: Seconds, bound: Floats, cost: Floats,
-    found: Seconds,
+    stop_at: Seconds, stop_s: Seconds, stop_count: Seconds, begun: Seconds, nights: Seconds,
+    sure: bool, throughout: bool, most: float, begin: Seconds, end: Seconds, bound: Floats,
+    cost: Floats, found: Seconds, ranks: Places, cut: Seconds,
 ) -> None:  # fmt: skip
     """Fill the cost and the pair of some vehicles, for some timetables of the master.
 
@@ -155,6 +61,10 @@ def evaluate(
         Which vehicles.
     rank : ndarray of int, (C, R) or (1, R)
         Where in its list each is to go on: all pairs before are known not to be drivable.
+    past : ndarray of int, (R, G)
+        Likewise in each cell of a longer span, or with fewer stops; `DEAD` where it was too dear.
+    past_begin, past_s : int
+        When the first of these cells begins, and how long each is [s].
     vehicles, approach, onward : ndarray of int
         Of all vehicles, see `StarNumbers`.
     entry_at, entries, exit_at, exits : ndarray of int
@@ -175,13 +85,13 @@ def evaluate(
         How many these are.
     begun : ndarray of int, (C, 3)
         The master's clocks after the last of them; -1 first if no other stops follow.
+    nights : ndarray of int, (C, 3)
+        Its next daily rest, see `open_stops` [s].
     sure : bool
         Whether entries, exits and limits are the strict ones.
     throughout : bool
         Whether the pair at `rank` is drivable at all departures of the span; no other is looked at,
         and the cost is inf if it is not.
-    floor : ndarray of float, (R,)
-        What each vehicle pays at least, as far as is known.
     most : float
         Departures are of no interest if all together pay as much.
     begin, end : ndarray of int, (C,)
@@ -192,68 +102,111 @@ def evaluate(
         To be filled: what each pays at least.
     found : ndarray of int, (C, R)
         To be filled: the place of its first pair in its list; its length for who stays alone.
+    ranks : ndarray of int, (C, R, H)
+        To be filled: likewise in each cell, or in as many cells together as there is room for.
+    cut : ndarray of int, (C, 2)
+        To be filled: when the first of these begins, and how long each is [s].
     """
     n = len(pos)
     arrive, leave = np.empty(n, np.int64), np.empty(n, np.int64)
-    ahead, later = np.zeros(n, np.int64), np.zeros(n, np.int64)
-    total, pays = np.empty(CELLS), np.empty(CELLS)
+    still = np.empty((n, COLUMNS), np.int64)
+    total, pays, paid = np.empty(CELLS), np.empty(CELLS), np.empty((len(rows), CELLS))
+    start, rank_of = np.empty((len(rows), CELLS), np.int64), np.empty((len(rows), CELLS), np.int64)
     from_cell, till_cell = np.empty(n, np.int64), np.empty(n, np.int64)
+    order = np.arange(len(rows))
     master = vehicles[len(vehicles) - 1]
-    known = 0.0
-    for row in range(len(rows)):
-        known += floor[row]
     for c in range(len(stop_count)):
         stops = stop_count[c]
-        open_from, rests_open = n, False
-        ahead[:] = 0
-        later[:] = 0
+        still[:, :STOPPED] = 0
+        still[:, STOPPED:] = -1
         if begun[c, 0] >= 0:
             at, rested, stood = 0, 0, 0
             for q in range(stops):
                 at = stop_at[c, q]
                 stood += stop_s[c, q]
                 rested += 1 if stop_s[c, q] >= master[REST] else 0
-            open_from = openings(
-                pos, tau, places, plan, master, at, stops, rested, stood, begun[c], begin[c],
-                ahead, later,
+            open_stops(
+                pos, tau, places, plan, master, at, stops, rested, stood, begun[c],
+                nights[c, 0], nights[c, 1], nights[c, 2], begin[c], still,
             )  # fmt: skip
-            if open_from < 0:
-                open_from, rests_open = -1 - open_from, True
         offsets(pos, tau, stop_at[c, :stops], stop_s[c, :stops], arrive, leave)
-        cells = 1 if throughout else min(CELLS, end[c] - begin[c] + 1)
+        own_rank = rank[min(c, len(rank) - 1)]
+        if throughout:
+            for row in range(len(rows)):
+                m, k = rows[row], own_rank[row]
+                base, count = pair_first[m], pair_first[m + 1] - pair_first[m]
+                certain = holds(
+                    m, k, vehicles[m], approach, onward, entry_at, entries, exit_at, exits, base,
+                    count, pair_i, pair_j, pos, tau, clocks, clock_of[m], stop_at, stop_s, c,
+                    stops, arrive, leave, begin[c], end[c], sure,
+                )  # fmt: skip
+                found[c, row] = k
+                cost[c, row] = np.inf
+                if certain:
+                    cost[c, row] = pair_cost[base + k] if k < count else alone[m]
+            continue
+        cells = min(CELLS, end[c] - begin[c] + 1)
         width = (end[c] - begin[c]) // cells + 1
         cells = (end[c] - begin[c]) // width + 1
         for g in range(cells):
-            total[g] = known
-        bound[c] = known
-        for row in range(len(rows)):
+            total[g] = 0.0
+            opens = begin[c] + g * width
+            closes = min(opens + width - 1, end[c])
+            first = max(0, min(past.shape[1] - 1, (opens - past_begin) // past_s))
+            last = max(0, min(past.shape[1] - 1, (closes - past_begin) // past_s))
+            for row in range(len(rows)):
+                m = rows[row]
+                base, count = pair_first[m], pair_first[m + 1] - pair_first[m]
+                at_least = past[row, first]
+                for h in range(first + 1, last + 1):
+                    at_least = min(at_least, past[row, h])
+                k = max(own_rank[row], at_least)
+                start[row, g] = k
+                price = np.inf
+                if k < DEAD:
+                    price = pair_cost[base + k] if k < count else alone[m]
+                paid[row, g] = price
+                total[g] += price
+        bound[c] = np.inf
+        for g in range(cells):
+            bound[c] = min(bound[c], total[g])
+        for turn in range(len(rows)):
+            row = order[turn]
             m = rows[row]
             base, count = pair_first[m], pair_first[m + 1] - pair_first[m]
-            first = _charge(
-                m, rank[min(c, len(rank) - 1), row], vehicles[m], approach, onward, entry_at,
-                entries, exit_at, exits, base, count, pair_i, pair_j, pair_cost, alone[m], pos,
-                tau, clocks, clock_of[m], stop_at, stop_s, c, stops, open_from, rests_open, arrive,
-                leave, ahead, later, begin[c], end[c], cells, width, sure, throughout, floor[row],
-                most, total, from_cell, till_cell, pays,
+            found[c, row] = charge(
+                m, vehicles[m], approach, onward, entry_at, entries, exit_at, exits, base, count,
+                pair_i, pair_j, pair_cost, alone[m], pos, tau, clocks, clock_of[m], stop_at,
+                stop_s, c, stops, still, plan[2], arrive, leave, begin[c], end[c], cells, width,
+                sure, most, total, from_cell, till_cell, start[row],
+                paid[row], pays, rank_of[row],
             )  # fmt: skip
             cheapest, bound[c] = np.inf, np.inf
             for g in range(cells):
-                if total[g] < np.inf:
-                    total[g] += pays[g] - floor[row]
+                if pays[g] < np.inf:
+                    total[g] += pays[g] - paid[row, g]
+                else:
+                    total[g] = np.inf
                 cheapest = min(cheapest, pays[g])
                 bound[c] = min(bound[c], total[g])
-            cost[c, row], found[c, row] = cheapest, first
-            if throughout:
-                total[0] = known
-            elif not bound[c] < most:
-                bound[c] = np.inf
+            cost[c, row] = cheapest
+            if not bound[c] < most:
+                # Who makes this timetable too dear may do so with the next one, too.
+                order[1 : turn + 1] = order[:turn].copy()
+                order[0] = row
                 break
-        if throughout or not bound[c] < np.inf:
-            continue
         if not bound[c] < most:
-            # Nobody was left to be charged.
             bound[c] = np.inf
             continue
+        # As many cells together as there is room for.
+        each = (cells + ranks.shape[2] - 1) // ranks.shape[2]
+        cut[c, 0], cut[c, 1] = begin[c], each * width
+        for row in range(len(rows)):
+            for h in range(ranks.shape[2]):
+                ranks[c, row, h] = DEAD
+            for g in range(cells):
+                if total[g] < most:
+                    ranks[c, row, g // each] = min(ranks[c, row, g // each], rank_of[row, g])
         low, high = 0, cells - 1
         while not total[low] < most:
             low += 1

@@ -17,7 +17,8 @@ HELPERS = (needed, breaks_s, paused)
 
 def next_stops(
     v: Seconds, places: Seconds, tau: Seconds, stay: Seconds, lengths: Seconds, at: int,
-    clocks: Seconds, stops: int, rests: int, budget: int, found: Seconds,
+    clocks: Seconds, stops: int, rests: int, budget: int, night: int,
+    night_s: int, turn: int, found: Seconds,
 ) -> int:  # fmt: skip
     """Fill the stops that may follow, with the clocks after them; return how many there are.
 
@@ -37,6 +38,9 @@ def next_stops(
         How many more stops and daily rests there may be.
     budget : int
         How long it may still stand [s].
+    night, night_s, turn : int
+        The position of the next daily rest, how long that lasts [s], and how many stops come before
+        it; negative if that is not decided yet, and no position if there is none.
     found : ndarray of int, (X, 5)
         To be filled: position, length, clocks.
 
@@ -45,9 +49,16 @@ def next_stops(
     int
         Rows filled.
     """
-    count = 0
+    count, end = 0, len(tau) - 1
+    known = 0 <= night <= end
+    if night > end:
+        rests = 0
     for index in range(np.searchsorted(places, at, side="right"), len(places)):
         place = places[index]
+        if known and place > night:
+            break
+        if known and (place < night) != (turn > 0):
+            continue
         step = tau[place] - tau[at]
         free, parted, today = clocks[0] + step, clocks[1] + step, clocks[2] + step
         if min(free, parted) > v[SPELL] or today > v[DAY]:
@@ -56,10 +67,12 @@ def next_stops(
             free = FAR
         if parted > v[SPELL]:
             parted = FAR
-        left = tau[len(tau) - 1] - tau[place]
+        left = tau[end] - tau[place]
         for length in lengths:
             rest = length >= v[REST]
             if length > stay[place] or length > budget or (rest and rests <= 0):
+                continue
+            if known and (length != night_s if place == night else rest):
                 continue
             a, b, c = 0, FAR, 0
             if not rest:
@@ -73,6 +86,19 @@ def next_stops(
             stood += breaks_s(v, breaks - resets, 1 if b < FAR else 0)
             if stood > budget - length:
                 continue
+            if known and place < night:
+                # Stops before the night and behind it are counted apart.
+                within, behind = tau[night] - tau[place], tau[end] - tau[night]
+                resets = needed(v[DAY], 0, behind)
+                breaks = needed(v[SPELL], min(a, b), within)
+                after = max(needed(v[SPELL], 0, behind), resets)
+                if breaks > turn - 1 or after > stops - turn - 1 or c + within > v[DAY]:
+                    continue
+                stood = breaks_s(v, breaks, 1 if b < FAR else 0) + night_s
+                stood += resets * v[REST] if resets > 0 else 0
+                stood += breaks_s(v, after - resets, 0)
+                if stood > budget - length:
+                    continue
             found[count, 0], found[count, 1] = place, length
             found[count, 2], found[count, 3], found[count, 4] = a, b, c
             count += 1

@@ -74,7 +74,8 @@ def _leaves_by(
 def departures(
     v: Seconds, entries: Seconds, e: int, exits: Seconds, go: int, gone: int, approach_s: int,
     onward_s: int, low: int, high: int, tau: Seconds, clocks: Seconds, own: int, stop_at: Seconds,
-    stop_s: Seconds, c: int, stops: int, q: int, is_open: bool, rests_open: bool, first: int,
+    stop_s: Seconds, c: int, stops: int, q: int, stopped: int, rested: int, soon: int, once: bool,
+    first: int,
     last: int, arrives: int, sure: bool, begin: int,
 ) -> tuple[int, int]:  # fmt: skip
     """Return between which departures of the master a pair can be driven with an entry.
@@ -103,8 +104,13 @@ def departures(
         Stops that are decided.
     c, stops, q : int
         The timetable, how many stops it has, and the first of them behind `low`.
-    is_open, rests_open : bool
-        Whether other stops may lie before `high`, and rests among them.
+    stopped, rested : int
+        The last position before `high` at which the platoon may have stopped, and rested, where
+        that is not decided; -1 if nowhere behind `low`.
+    soon : int
+        The first position at which it may do so, of no meaning if it may not.
+    once : bool
+        Whether it does so once at most.
     first, last : int
         When the platoon leaves `low`, after the master's departure [s].
     arrives : int
@@ -154,16 +160,24 @@ def departures(
         q += 1
     step, drive = clocks[own, high] - clocks[own, at], tau[high] - tau[at]
     spare = v[ARRIVAL] - onward_s
-    if is_open:
+    if stopped >= 0:
         # Clocks may begin anew on the way; but then that takes its time.
         driven, duty, from_then = today + step, lasts + after + drive, since
-        if rests_open:
-            driven, duty, from_then = 0, -FAR, FAR
+        alone_s = clocks[own, soon] - clocks[own, at]
+        if min(free, parted) + alone_s > spell:
+            return 0, -1
+        fresh = clocks[own, high] - clocks[own, stopped]
+        # One stop alone is no first part and whole break, or second part, of one another.
+        half = min(free, parted) + step if once else fresh
+        if rested >= 0:
+            driven, from_then = clocks[own, high] - clocks[own, rested], FAR
+            duty = tau[high] - tau[rested]
         elif driven > day or duty > window:
             return 0, -1
         closes = _leaves_by(
-            exits, go, gone, 0, 0, driven, duty, from_then - after - drive, spare - after - drive
-        )
+            exits, go, gone, fresh, half, driven, duty, from_then - after - drive,
+            spare - after - drive,
+        )  # fmt: skip
         opens_at = max(ready, opens + first)
         on_duty = max(lasts + after, opens_at + after - since)
         now = opens_at + after
@@ -171,7 +185,7 @@ def departures(
             v, free, parted, today, now - on_duty, now, drive + onward_s, step + onward_s
         )  # fmt: skip
         latest = min(latest, closes, opens_at + v[ARRIVAL] - ends)
-        by_platoon = _leaves_by(exits, go, gone, 0, 0, driven, duty, FAR, spare) - arrives
+        by_platoon = _leaves_by(exits, go, gone, fresh, half, driven, duty, FAR, spare) - arrives
         if latest < ready:
             return 0, -1
         return opens, min(latest - first, by_platoon)

@@ -22,10 +22,10 @@ from numpy.typing import NDArray
 
 from ..driver.road import LegalTrip
 from .asked import AskedTrips
-from .nodes import SpanNode, halves
+from .nodes import Past, SpanNode, halves
 from .numbers import StarNumbers
 from .star_times import StarTimes
-from .stops import Clocks, MasterStops, Stops
+from .stops import OPEN, Clocks, MasterStops, Stops
 from .values import StarValues, Table
 
 __all__ = ["Choice", "SpanSearch"]
@@ -121,8 +121,10 @@ class SpanSearch:
         self.spans += len(nodes)
         rows, fixed = nodes[0].rows, nodes[0].fixed
         got = self.values.of(
-            rows, [(node.stops, node.clocks, node.begin, node.end) for node in nodes],
-            rank=nodes[0].rank, floor=nodes[0].low, most=most - fixed,
+            rows, [
+                (node.stops, node.clocks, node.begin, node.end, node.night) for node in nodes
+            ],
+            rank=nodes[0].rank, past=nodes[0].past, most=most - fixed,
         )  # fmt: skip
         bounds, begins, ends = ((fixed + got.bound).tolist(), got.begin.tolist(), got.end.tolist())
         kept = [k for k, bound in enumerate(bounds) if bound < most and bound < np.inf]
@@ -138,7 +140,7 @@ class SpanSearch:
         for k in kept:
             node, total = nodes[k], np.inf
             node.low, node.rank, node.looked, node.taken = got.cost[k], got.rank[k], looked, False
-            node.begin, node.end = begins[k], ends[k]
+            node.begin, node.end, node.past = begins[k], ends[k], got.past(k)
             if node.clocks is None:
                 at = ended.index(k)
                 total = fixed + float(certain[at].sum())
@@ -183,8 +185,9 @@ class SpanSearch:
         """
         # The master comes first: a timetable that it cannot keep needs no further look.
         rows = np.roll(np.arange(len(self.numbers.alone)), 1)
-        nothing = np.zeros(len(rows))
-        return SpanNode(stops, clocks, begin, end, 0.0, rows, nothing, nothing.astype(np.int64))
+        nothing = np.zeros(len(rows), np.int64)
+        past = Past(np.zeros((len(rows), 1), np.int32), begin, 1)
+        return SpanNode(stops, clocks, begin, end, 0.0, rows, nothing.astype(float), nothing, past)
 
     @property
     def bound(self) -> float:
@@ -272,12 +275,14 @@ class SpanSearch:
         # most comes first: so a node that is too dear is soon seen to be.
         node.keep(node.rank < self.values.ends(node.rows))
         order = np.argsort(self.least[node.rows] - node.low, kind="stable")
-        node.rows, node.low, node.rank = node.rows[order], node.low[order], node.rank[order]
+        node.take(order)
         if node.clocks is None:
             self._try(node)
             return self._push(self.settled(node))
         if node.end - node.begin < SPLIT_S:
-            return self._branch(node)
+            # Where roads are closed, what is decided in its order is sooner seen to be late.
+            first = node.night == OPEN and not len(self.star.road.forbidden_s)
+            return self._with_nights(node) if first else self._branch(node)
         parts = []
         for low, high in halves(node.begin, node.end):
             clocks = self.stops.states(node.stops, high)
@@ -348,21 +353,40 @@ class SpanSearch:
             rows, rank = rows[open_rows], rank[open_rows] + 1
         return [chosen[row] for row in range(some.master)]
 
+    def _with_nights(self, node: SpanNode) -> SpanNode | None:
+        """Decide where the next daily rest lies, and how many stops come before it."""
+        assert node.clocks is not None
+        nights = self.stops.nights(node.stops, node.clocks)
+        if len(nights) == 1:
+            node.night = nights[0]
+            return self._branch(node)
+        return self._push([replace(node, night=night) for night in nights])
+
     def _branch(self, node: SpanNode) -> SpanNode | None:
         """Decide the next stop, or that there is none."""
         ways = self.stops
         clocks = node.clocks
         assert clocks is not None
-        children = self._ended(node, node.stops) if ways.is_end(node.stops, clocks) else []
+        none = node.night[0] >= len(self.numbers.tau)
+        children = []
+        if (none or node.night == OPEN) and ways.is_end(node.stops, clocks):
+            children = self._ended(node, node.stops)
         reach = ways.reach(self.star.road, node.stops, node.begin, node.end)
-        for stop, after in ways.nexts(node.stops, clocks, node.begin):
+        for stop, after in ways.nexts(node.stops, clocks, node.begin, node.night):
             if stop[0] > reach:
                 continue
-            longer = (*node.stops, stop)
+            longer, at, night = (*node.stops, stop), stop, node.night
+            if night[2] == len(longer) and stop != night[:2] and not none:
+                # Nothing else comes before the night.
+                rested = ways.after(after, stop[0], night[:2])
+                if rested is None:
+                    continue
+                longer, at, after = (*longer, night[:2]), night[:2], rested
             if len(longer) == ways.most:
                 children += self._ended(node, longer)
-            else:
-                children.append(replace(node, stops=longer, clocks=after))
+                continue
+            for after_it in ways.nights(longer, after) if at == night[:2] else (night,):
+                children.append(replace(node, stops=longer, clocks=after, night=after_it))
         return self._push(children)
 
     def _ended(self, node: SpanNode, stops: Stops) -> list[SpanNode]:
@@ -397,7 +421,8 @@ class SpanSearch:
                     fixed, keep[k] = fixed + float(node.low[k]), False
                 elif u == v or self.trips.never(row, a, b, stops, u, v):
                     rank[k] += 1
-        rest = replace(node, fixed=fixed, rows=rows[keep], low=node.low[keep], rank=rank[keep])
+        rest = replace(node, fixed=fixed, rank=rank)
+        rest.take(keep)
         if u == v or (rank > node.rank).any():
             return [rest]
         return [replace(rest, begin=low, end=high) for low, high in halves(u, v)]

@@ -20,7 +20,7 @@ from .next_stops import next_stops
 from .numbers import StarNumbers
 from .star_times import OPEN_S
 
-__all__ = ["Clocks", "MasterStops", "Stops"]
+__all__ = ["OPEN", "Clocks", "MasterStops", "Night", "Stops"]
 
 Seconds = NDArray[np.int64]
 Stops = tuple[tuple[int, int], ...]
@@ -28,6 +28,13 @@ Stops = tuple[tuple[int, int], ...]
 
 Clocks = tuple[int, int, int]
 """Driven since the last break, with no part of the next taken and with the first, and today."""
+
+Night = tuple[int, int, int]
+"""Position and length [s] of the next daily rest, and how many stops come before it in all; the
+position is behind the way if there is none."""
+
+OPEN: Night = (-1, 0, 0)
+"""Where the next daily rest lies is not decided."""
 
 FAR = clocks_of.FAR
 
@@ -173,9 +180,7 @@ class MasterStops:
     def plan(self) -> Seconds:
         """The most stops and rests, the longest stop without a rest and with one."""
         v = self._row
-        short = max(
-            (one for one in (int(v[clocks_of.BREAK]), *self.lengths) if one < FAR), default=0
-        )
+        short = int(self.held[self.held < v[clocks_of.REST]].max(initial=0))
         rest = max(int(v[clocks_of.SURE_REST]), int(v[clocks_of.REST]), *self.lengths, 0)
         return np.array([self.most, self.rests, short, rest if rest < FAR else short], np.int64)
 
@@ -232,7 +237,7 @@ class MasterStops:
         return arrival - departure - int(self._tau[-1]) - sum(length for _, length in stops)
 
     def nexts(
-        self, stops: Stops, clocks: Clocks, departure: int
+        self, stops: Stops, clocks: Clocks, departure: int, night: Night = OPEN
     ) -> list[tuple[tuple[int, int], Clocks]]:
         """Return what the next stop may be.
 
@@ -244,6 +249,8 @@ class MasterStops:
             After the last of them.
         departure : int
             When the master leaves [s].
+        night : (int, int, int)
+            Its next daily rest.
 
         Returns
         -------
@@ -259,9 +266,49 @@ class MasterStops:
         found = np.empty((len(self.places) * len(self.held), 5), np.int64)
         count = self.next_stops(
             v, self.places, self._tau, some.stay, self.held, stops[-1][0] if stops else 0,
-            np.array(clocks, np.int64), left, rests, self.budget(stops, departure), found,
+            np.array(clocks, np.int64), left, rests, self.budget(stops, departure), *night[:2],
+            night[2] - len(stops), found,
         )  # fmt: skip
         return [((a, b), (c, d, e)) for a, b, c, d, e in found[:count].tolist()]
+
+    def nights(self, stops: Stops, clocks: Clocks) -> list[Night]:
+        """Return what the next daily rest may be, or that there is none.
+
+        Parameters
+        ----------
+        stops : tuple of (int, int)
+            Those decided.
+        clocks : (int, int, int)
+            After the last of them.
+
+        Returns
+        -------
+        list of (int, int, int)
+            Those that leave no more for the rest of the way than it may take.
+        """
+        v, tau = self._row, self._tau
+        at, end, made = (stops[-1][0] if stops else 0), len(tau) - 1, len(stops)
+        rests = self.rests - sum(length >= v[clocks_of.REST] for _, length in stops)
+        day, spell = int(v[clocks_of.DAY]), int(v[clocks_of.SPELL])
+        found = [(end + 1, 0, 0)] if clocks[2] + tau[end] - tau[at] <= day else []
+        if rests <= 0:
+            return found
+        for before, place in enumerate(self.places[self.places > at].tolist()):
+            if clocks[2] + tau[place] - tau[at] > day:
+                break
+            behind = int(tau[end] - tau[place])
+            resets = clocks_of.needed(day, 0, behind)
+            if resets >= rests:
+                continue
+            least = clocks_of.needed(spell, min(clocks[:2]), int(tau[place] - tau[at]))
+            most = self.most - made - 1 - max(resets, clocks_of.needed(spell, 0, behind))
+            found += [
+                (place, length, made + count)
+                for length in self.held[self.held >= v[clocks_of.REST]].tolist()
+                if length <= self.numbers.stay[place]
+                for count in range(least, min(most, before) + 1)
+            ]
+        return found
 
     def allowed(self, road: Road, stops: Stops, begin: int, end: int) -> list[tuple[int, int]]:
         """Return departures at which no hop starts while it is closed and the master is in time.

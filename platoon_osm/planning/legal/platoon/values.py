@@ -9,18 +9,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import kernel
+from .nodes import Past
 from .numbers import StarNumbers
 from .pairs import MemberPairs
-from .stops import Clocks, MasterStops, Stops
+from .stops import OPEN, Clocks, MasterStops, Night, Stops
 from .tables import OwnTables
 
 __all__ = ["StarValues", "Table", "Values"]
 
 Floats = NDArray[np.float64]
 Seconds = NDArray[np.int64]
+Places = NDArray[np.int32]
 
-Table = tuple[Stops, Clocks | None, int, int]
-"""Stops, the clocks after them if others may follow, and the span of the departure."""
+Table = tuple[Stops, Clocks | None, int, int] | tuple[Stops, Clocks | None, int, int, Night]
+"""Stops, the clocks after them if others may follow, the span of the departure, the next rest."""
+
+
+MOST_PLACES = 4096
+"""Places in lists that a node keeps; of many vehicles those of several cells together."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,6 +44,10 @@ class Values:
         All together at least.
     begin, end : ndarray of int, (C,)
         What is of interest of the span [s].
+    ranks : ndarray of int, (C, R, G)
+        As `rank`, in each cell of the span.
+    cut : ndarray of int, (C, 2)
+        When the first of these cells begins, and how long each is [s].
     """
 
     cost: Floats
@@ -44,6 +55,24 @@ class Values:
     bound: Floats
     begin: Seconds
     end: Seconds
+    ranks: Places
+    cut: Seconds
+
+    def past(self, table: int) -> Past:
+        """Return what is known of the pairs of a timetable.
+
+        Parameters
+        ----------
+        table : int
+            Which.
+
+        Returns
+        -------
+        Past
+            For its parts.
+        """
+        begin, width = self.cut[table].tolist()
+        return Past(self.ranks[table].copy(), begin, width)
 
 
 @dataclass(slots=True, eq=False)
@@ -81,7 +110,7 @@ class StarValues:
 
     def of(
         self, rows: Seconds, tables: Sequence[Table], *, sure: bool = False,
-        throughout: bool = False, rank: Seconds | None = None, floor: Floats | None = None,
+        throughout: bool = False, rank: Seconds | None = None, past: Past | None = None,
         most: float = np.inf,
     ) -> Values:  # fmt: skip
         """Return what vehicles pay with some timetables, and the places of their pairs.
@@ -98,8 +127,8 @@ class StarValues:
             Whether pairs have to be drivable at all departures of a span; else at some.
         rank : ndarray of int, (R,) or (C, R), optional
             Where in its list each is to go on.
-        floor : ndarray of float, (R,), optional
-            What each pays at least, as far as is known.
+        past : Past, optional
+            Likewise in cells of a span that holds theirs.
         most : float
             A timetable is of no interest if all together pay as much.
 
@@ -115,21 +144,31 @@ class StarValues:
             if table[0]:
                 made[k, : len(table[0])] = table[0]
         rest = np.array(
-            [(len(one[0]), *(one[1] or (-1, 0, 0)), one[2], one[3]) for one in tables], np.int64
+            [
+                (len(one[0]), *(one[1] or (-1, 0, 0)), one[2], one[3], *(one[4:] or (OPEN,))[0])
+                for one in tables
+            ],
+            np.int64,
         )
         own = np.zeros(len(rows), np.int64) if rank is None or not len(rows) else rank
+        if past is None:
+            past = Past(np.zeros((len(rows), 1), np.int32), 0, 1)
+        cells = 1 if throughout else min(kernel.CELLS, max(1, MOST_PLACES // max(1, len(rows))))
         found = Values(
             np.empty(size), np.empty(size, np.int64), np.empty(len(tables)), rest[:, 4].copy(),
-            rest[:, 5].copy(),
+            rest[:, 5].copy(), np.empty((*size, cells), np.int32),
+            np.zeros((len(tables), 2), np.int64),
         )  # fmt: skip
         self.evaluate(
-            rows, own[None] if own.ndim == 1 else own, some.vehicles, some.approach, some.onward,
+            rows, own[None] if own.ndim == 1 else own, past.rank, past.begin, past.width,
+            some.vehicles, some.approach, some.onward,
             *self.tables.of(sure), pairs.first, pairs.merge, pairs.separate, pairs.cost,
             some.alone, some.pos, some.tau, some.clocks, some.clock_of, self.stops.places,
             self.plan, np.ascontiguousarray(made[:, :, 0]), np.ascontiguousarray(made[:, :, 1]),
-            np.ascontiguousarray(rest[:, 0]), np.ascontiguousarray(rest[:, 1:4]), sure, throughout,
-            np.zeros(len(rows)) if floor is None else floor, most, found.begin, found.end,
-            found.bound, found.cost, found.rank,
+            np.ascontiguousarray(rest[:, 0]), np.ascontiguousarray(rest[:, 1:4]),
+            np.ascontiguousarray(rest[:, 6:]), sure, throughout,
+            most, found.begin, found.end, found.bound, found.cost, found.rank, found.ranks,
+            found.cut,
         )  # fmt: skip
         self.computed += len(rows) * len(tables)
         return found
