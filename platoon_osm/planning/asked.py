@@ -17,7 +17,7 @@ from .fleet_of import fleet_of
 from .places import PlacedEnds, placed
 from .problem import Problem
 from .question import Question
-from .quick_alone import take_quick_routes
+from .quick_alone import by_quick_routes
 from .road_closures import closed_roads
 
 __all__ = ["Asked"]
@@ -69,7 +69,7 @@ class Asked:
         ends = resolve_trips(places.net, fleet, trees, problem.trips, places.ends)
         question = Question(problem, fleet, tuple(ends), trees)
         if problem.method == "dijkstra":
-            take_quick_routes(question)
+            question = by_quick_routes(question)
         return cls(question, locations, shut)
 
     @property

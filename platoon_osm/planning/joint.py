@@ -194,8 +194,8 @@ def solve(problem: Problem) -> Plan:
         plan = solved_under_law(
             question,
             vehicles,
-            lambda best, reasons: with_place_remarks(
-                _of_best(question, best, reasons), net, locations
+            lambda routed, best, reasons: with_place_remarks(
+                _of_best(routed, best, reasons), net, locations
             ),
         )
     elif exact:
@@ -203,10 +203,10 @@ def solve(problem: Problem) -> Plan:
         plan = finished(best, reasons_alone(question, best.answer))
         plan = lawful_company(question, best, plan, vehicles, finished)
         plan = with_slower_approaches(plan, network_below(net), vehicles)
+        plan = replace(plan, remarks=(*plan.remarks, *told_quick(question)))
     else:
         plan = timed(_by_astar(question))
     plan = with_waits_at_parkings(plan, network_below(net), vehicles)
-    plan = replace(plan, remarks=(*plan.remarks, *told_quick(question)))
     return with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)
 
 

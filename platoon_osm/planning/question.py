@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
 from functools import cached_property
+from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,19 +27,32 @@ from .timing.least_price import least_price
 from .timing.limits import NOTHING_ASKED, Window, first_named, windows_of
 from .ways_in_time import WaysInTime
 
-__all__ = ["NO_DEARER", "Question"]
+__all__ = ["NO_DEARER", "Question", "QuickRoute"]
 
 Edges = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-WORKED_OUT = (
-    "solo", "by_length", "fixed_master", "join_costs", "windows", "_windows", "alone_s",
-    "ways_in_time", "_in_time",
-)  # fmt: skip
-"""What follows from the routes alone."""
-
 NO_DEARER = 1e-9
 """Who pays this share more than alone has lost nothing but last digits."""
+
+
+class QuickRoute(NamedTuple):
+    """A route alone that is quicker than the cheapest.
+
+    Attributes
+    ----------
+    route : ndarray of int, (k,)
+        Its edges.
+    late_s : float
+        How late its vehicle would be by the cheapest [s].
+    """
+
+    route: Edges
+    late_s: float
+
+
+NO_QUICK: Mapping[int, QuickRoute] = MappingProxyType({})
+"""All take their cheapest routes."""
 
 
 class Question:
@@ -53,6 +68,10 @@ class Question:
         Where vehicles go.
     trees : sequence of Trees, (N,)
         Each one's searches alone; vehicles alike share theirs.
+    cheapest : sequence of ndarray of int, (N, ...), optional
+        The cheapest route of each alone, where they are known.
+    quick : mapping of int to QuickRoute, optional
+        What some take instead.
 
     Attributes
     ----------
@@ -68,36 +87,45 @@ class Question:
     """
 
     def __init__(
-        self, problem: Problem, fleet: Fleet, ends: tuple[TripEnds, ...], trees: Sequence[Trees]
+        self,
+        problem: Problem,
+        fleet: Fleet,
+        ends: tuple[TripEnds, ...],
+        trees: Sequence[Trees],
+        cheapest: Sequence[Edges] | None = None,
+        quick: Mapping[int, QuickRoute] = NO_QUICK,
     ) -> None:
         self.problem, self.fleet, self.ends, self.trees = problem, fleet, ends, trees
         self.net = problem.net
         self.routers = [DijkstraRouter(own) for own in trees]
-        self.alone = [
-            router.route(item.origin, item.destination)
-            for router, item in zip(self.routers, ends, strict=True)
-        ]
+        if cheapest is None:
+            cheapest = [
+                router.route(item.origin, item.destination)
+                for router, item in zip(self.routers, ends, strict=True)
+            ]
+        self._cheapest, self._quick = cheapest, quick
+        self.alone = [quick[k].route if k in quick else own for k, own in enumerate(cheapest)]
         self.lengths_m = np.array([float(self.net.length_m[own].sum()) for own in self.alone])
-        self.least = np.array([float(fleet[k].solo[own].sum()) for k, own in enumerate(self.alone)])
-        self.quicker: dict[int, float] = {}
+        self.least = np.array([float(fleet[k].solo[own].sum()) for k, own in enumerate(cheapest)])
+        self.quicker = {index: one.late_s for index, one in quick.items()}
 
-    def take_alone(self, index: int, route: Edges, late_s: float) -> None:
-        """Let a vehicle take another route alone; what was worked out from it is forgotten.
+    def by_quick_routes(self, quick: Mapping[int, QuickRoute]) -> Question:
+        """Return the same question with other routes alone.
 
         Parameters
         ----------
-        index : int
-            Its position.
-        route : ndarray of int, (k,)
-            The route, quicker and no cheaper.
-        late_s : float
-            How late it would be by the cheapest [s].
+        quick : mapping of int to QuickRoute
+            Of some vehicles by position; the others keep theirs.
+
+        Returns
+        -------
+        Question
+            This one if there are none.
         """
-        self.alone[index] = route
-        self.lengths_m[index] = float(self.net.length_m[route].sum())
-        self.quicker[index] = late_s
-        for name in WORKED_OUT:
-            self.__dict__.pop(name, None)
+        if not quick:
+            return self
+        routes = {**self._quick, **quick}
+        return Question(self.problem, self.fleet, self.ends, self.trees, self._cheapest, routes)
 
     @cached_property
     def solo(self) -> Floats:

@@ -16,24 +16,30 @@ from numpy.typing import NDArray
 from ..plans.clock import late_by
 from ..search.searches import engine_for
 from ..search.trees import Trees
-from .question import Question
+from .question import Question, QuickRoute
 from .timing.pareto import SAME_S, Budget, Reach, labels_of
 
-__all__ = ["quicker_ways", "take_quick_routes", "told_quick"]
+__all__ = ["by_quick_routes", "quicker_ways", "told_quick"]
 
 Edges = NDArray[np.int64]
 
 LAST_DIGITS = 1 + 1e-9
 
 
-def take_quick_routes(question: Question) -> None:
-    """Give vehicles that would be late alone quicker routes, where there are some.
+def by_quick_routes(question: Question) -> Question:
+    """Return a question in which who would be late alone takes a quicker route, if there is one.
 
     Parameters
     ----------
     question : Question
-        Whose routes alone change; it has not been asked for anything yet.
+        In which all take their cheapest routes.
+
+    Returns
+    -------
+    Question
+        Otherwise the same.
     """
+    quick: dict[int, QuickRoute] = {}
     for index, asked in enumerate(question.asked_windows):
         if asked.earliest is None or asked.arrival is None:
             continue
@@ -46,7 +52,8 @@ def take_quick_routes(question: Question) -> None:
             continue
         # The last one is a quickest.
         in_time = (one for one in ways if question.fleet.route_s((index,), one) <= most_s + SAME_S)
-        question.take_alone(index, next(in_time, ways[-1]), late_s)
+        quick[index] = QuickRoute(next(in_time, ways[-1]), late_s)
+    return question.by_quick_routes(quick)
 
 
 def quicker_ways(question: Question, index: int) -> list[Edges]:

@@ -22,7 +22,7 @@ from ...network.placed import PlacedNetwork, network_below
 from ...plans.clock import Clock
 from ...plans.timetable import LATE_S
 from ...vehicles.profile import Vehicle
-from ..question import Question
+from ..question import Question, QuickRoute
 from ..quick_alone import quicker_ways
 from ..timing.forbidden import Interval
 from ..timing.limits import Window, first_named, windows_of
@@ -134,8 +134,9 @@ class LegalQuestion:
         self._hours = RoadHours(
             network_below(question.net), first, min(moments) - AROUND_S, max(moments) + AROUND_S
         )
-        # First of all, for routes that follow from it are asked for by everybody.
-        self.alone = tuple(self._alone(index) for index in range(len(self.vehicles)))
+        quick: dict[int, QuickRoute] = {}
+        self.alone = tuple(self._alone(index, quick) for index in range(len(self.vehicles)))
+        self.question = question.by_quick_routes(quick)
 
     def closed(self, index: int, edge: int) -> Sequence[Interval]:
         """Return when an edge is closed to a vehicle.
@@ -221,7 +222,7 @@ class LegalQuestion:
             self._ways[key] = edges, self.way(index, edges)
         return self._ways[key]
 
-    def _alone(self, index: int) -> TripAlone:
+    def _alone(self, index: int, quick: dict[int, QuickRoute]) -> TripAlone:
         """Return the trip by the cheapest route that is in time, or by the one least late."""
         usual = best = self._by(index, self.question.alone[index])
         late_s = self._late_s(index, usual)
@@ -236,7 +237,7 @@ class LegalQuestion:
                 if self._late_s(index, best) <= 0:
                     break
         if route is not None:
-            self.question.take_alone(index, route, late_s)
+            quick[index] = QuickRoute(route, late_s)
         return best
 
     def _late_s(self, index: int, own: TripAlone) -> float:

@@ -17,6 +17,7 @@ from ..best import ANY_WAY, ONE_STRETCH, TIME_PRICED, Best
 from ..company.bound import least_total
 from ..company.draft import NO_CHEAPER, Draft
 from ..question import Question
+from ..quick_alone import told_quick
 from ..reasons import reasons_alone
 from .conditions import (
     ALL_TOGETHER,
@@ -34,7 +35,7 @@ from .what_would_do import what_would_do
 
 __all__ = ["solved_under_law"]
 
-Write = Callable[[Best, Sequence[str]], Plan]
+Write = Callable[[Question, Best, Sequence[str]], Plan]
 """Makes a plan without times of an answer and the reasons of those who drive alone."""
 
 
@@ -63,6 +64,8 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
         A vehicle has no legal trip at all.
     """
     legal = LegalQuestion(question, vehicles)
+    # Who has no cheap route in time takes a quick one there.
+    question = legal.question
 
     def finish(planned: Planned) -> Plan:
         draft = Draft.of(planned.runs)
@@ -71,14 +74,14 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
         case = "C" if asked == "best" else asked
         answer = Answer(draft, draft.costs(question.fleet), case, master, planned.bound)
         best = Best(answer, _proof(legal, planned, answer), tuple(planned.tried), ())
-        plan = write(best, reasons_alone(question, answer))
+        plan = write(question, best, reasons_alone(question, answer))
         return timed_under_law(legal, plan, planned.runs, planned.driven)
 
     if question.time_prices.are_free:
         timed = finish(planned_platoons(legal))
     else:
         timed = least_with_time(legal, finish)
-    return replace(timed, remarks=(*timed.remarks, *_late(legal, timed)))
+    return replace(timed, remarks=(*timed.remarks, *_late(legal, timed), *told_quick(question)))
 
 
 def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
