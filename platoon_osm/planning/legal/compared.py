@@ -35,8 +35,7 @@ class _Open:
     search: StarSearch
     bound: float
     waiting_bound: float
-    spans: int
-    asked: int
+    work: int
 
 
 @dataclass(slots=True, eq=False)
@@ -59,8 +58,8 @@ class Compared:
         What masters would give that were not given up before, by vehicle.
     unfinished : bool
         Whether a search ended that might have found something better.
-    spans, asked : int
-        Spans of departures looked at, and real trips asked for.
+    work : int
+        Spans of departures looked at, real trips counted by what they took.
     """
 
     legal: LegalQuestion
@@ -71,8 +70,7 @@ class Compared:
     waiting_bound: float = np.inf
     tried: dict[int, MasterTried] = field(default_factory=dict)
     unfinished: bool = False
-    spans: int = 0
-    asked: int = 0
+    work: int = 0
 
     def search(self, stars: Sequence[Star], most_spans: int) -> None:
         """Compare masters.
@@ -91,12 +89,12 @@ class Compared:
             if star.bound >= self.least * (1 - NO_CHEAPER):
                 self._take(star.bound, star.bound)
                 break  # those after it have bounds no better
-            one = _Open(StarSearch(self.legal, star, self.among), -np.inf, -np.inf, 0, 0)
+            one = _Open(StarSearch(self.legal, star, self.among), -np.inf, -np.inf, 0)
             if not self._turn(one, first):
                 left.append(one)
         left.sort(key=lambda one: one.bound)
         for place, one in enumerate(left):
-            share = (most_spans - self.spans) // (len(left) - place)
+            share = (most_spans - self.work) // (len(left) - place)
             ended = one.bound >= self.least * (1 - NO_CHEAPER)
             if not ended and share > 0:
                 ended = self._turn(one, share)
@@ -113,9 +111,8 @@ class Compared:
         """Search on with a master; return whether that came to an end."""
         found = one.search.go_on(spans, self.least)
         timing, master = found.timing, one.search.star.master
-        self.spans += timing.spans - one.spans
-        self.asked += timing.asked - one.asked
-        one.spans, one.asked = timing.spans, timing.asked
+        self.work += timing.work - one.work
+        one.work = timing.work
         one.bound, one.waiting_bound = timing.bound, timing.waiting_bound
         if np.isfinite(timing.cost):
             known = self.tried.get(master)

@@ -22,7 +22,7 @@ from ..question import Question
 from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STANDS_LONGER, STOPPED, of_every_plan
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
-from .platoon.departure_steps import TRIP_SPANS, DepartureStep, steps_of_departure
+from .platoon.departure_steps import DepartureStep, steps_of_departure
 from .platoon.record import gained
 from .platoon.search import cost_of
 from .platoon.star_searches import StarSearches
@@ -198,7 +198,7 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
             continue
         most = DELAY_SHARES * max(left, 0) // (len(delays_min) - place)
         planned = planned_platoons(legal.delayed(delay * 60.0), min(most, left))
-        left -= planned.spans + TRIP_SPANS * planned.asked
+        left -= planned.work
         cost, bound, company = planned.cost, planned.bound, planned.company
         waits, unfinished = waits | planned.waits, unfinished | planned.unfinished
         name = "" if planned.master is None else question.ends[planned.master].vehicle

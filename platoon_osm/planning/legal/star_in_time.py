@@ -146,6 +146,7 @@ class StarSearch:
             waiting_bound=min(best.timing.cost, max(one.timing.waiting_bound for one in found)),
             proved=all(one.timing.proved for one in found),
             spans=sum(one.timing.spans for one in found),
+            work=sum(one.timing.work for one in found),
             asked=sum(one.timing.asked for one in found),
         )
         return replace(best, timing=timing)

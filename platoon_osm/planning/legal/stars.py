@@ -20,9 +20,10 @@ from .star_in_time import Platooned
 
 __all__ = ["Planned", "alone_plan", "planned_platoons"]
 
-MOST_SPANS = 10_000
-"""Spans of departures that are looked at for all masters together, about; then the best that was
-found is taken, with a bound. It is a count, not a time, lest plans differ between machines."""
+MOST_SPANS = 12_000
+"""Spans of departures that are looked at for all masters together, about, real trips counted by
+what they take; then the best that was found is taken, with a bound. It is a count, not a time, lest
+plans differ between machines."""
 
 
 @dataclass(slots=True, eq=False)
@@ -55,8 +56,8 @@ class Planned:
         Whether a search ran out of time.
     company : int
         How many vehicles drive with the master of the first platoon.
-    spans, asked : int
-        Spans of departures looked at, and real trips asked for.
+    work : int
+        Spans of departures looked at, real trips counted by what they took.
     """
 
     runs: list[list[Run]]
@@ -70,8 +71,7 @@ class Planned:
     masters: int = 0
     unfinished: bool = False
     company: int = 0
-    spans: int = 0
-    asked: int = 0
+    work: int = 0
 
 
 def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Planned:
@@ -156,8 +156,7 @@ def _best_star(
     compared.search(stars, most_spans)
     best = compared.best
     plan.unfinished |= compared.unfinished
-    plan.spans += compared.spans
-    plan.asked += compared.asked
+    plan.work += compared.work
     if among is None:
         plan.tried = sorted(compared.tried.values(), key=lambda one: one.cost)
         # The route that suits two best is one more of the same master.

@@ -15,6 +15,7 @@ from ....driving.state import DriverState
 from .kernel import label_search
 from .label import GONE, GONE_MOST, TIME, WEEK_S, WEEKLY_END
 from .least_left import least_left
+from .looked import LOOKED, SEARCH_LABELS
 from .numbers import CHANGE, FORTNIGHT, MOST_WEEK, WEEKLY_DUE, kinds_of, numbers_of
 from .road import FREE, NO_LIMIT, IntArray, LegalTrip, Road, without_bans
 from .start import Start, starts_of
@@ -289,6 +290,7 @@ class TripSearch:
             leaves_s, late, self.weeks, int(weekly), width, OPENINGS if width == WIDTH else 0,
             self.dominance,
         )  # fmt: skip
+        LOOKED.labels += SEARCH_LABELS + int(found[2][-1])
         return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..driver.looked import LOOKED
 from ..driver.road import LegalTrip
 from . import clocks as clocks_of
 from .numbers import StarNumbers
@@ -29,12 +30,15 @@ class AskedTrips:
         Says how a vehicle really drives; None if nobody is asked.
     asked : dict
         What was answered.
+    labels : int
+        Labels that searches for real trips have kept, and what beginning them counts for.
     """
 
     star: StarTimes
     numbers: StarNumbers
     real: Real | None
     asked: dict[tuple[Any, ...], LegalTrip | None] = field(default_factory=dict)
+    labels: int = 0
 
     def never(self, row: int, i: int, j: int, stops: Stops, u: int, v: int) -> bool:
         """Tell whether a pair cannot be driven at any departure of a span.
@@ -95,9 +99,11 @@ class AskedTrips:
         key = (row, i, j, between, key_at, slack)
         if key not in self.asked:
             table = Timetable.of(self.star, departure, stops, slack)
+            before = LOOKED.labels
             if row == some.master:
                 self.asked[key] = self.real(MASTER, 0, len(self.star.node_at) - 1, table)
             else:
                 shift = some.first_node
                 self.asked[key] = self.real(row, i - shift, j - shift, table)
+            self.labels += LOOKED.labels - before
         return self.asked[key]

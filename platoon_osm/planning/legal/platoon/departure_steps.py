@@ -22,7 +22,7 @@ from .star_searches import MOST_RESTS_MORE, StarSearches, departures_of
 from .stops import Stops
 from .ties import simplest
 
-__all__ = ["TRIP_SPANS", "DepartureStep", "DepartureSteps", "steps_of_departure"]
+__all__ = ["DepartureStep", "DepartureSteps", "steps_of_departure"]
 
 LEAST_SPANS = 100
 """Spans that each search may look at even when those for all are used up."""
@@ -30,9 +30,6 @@ LEAST_SPANS = 100
 MOST_SEARCHES = 400
 """After so many searches the departures that are left stay untold; and likewise after three times
 the work after which no step is proved."""
-
-TRIP_SPANS = 5
-"""A real trip is as much work as so many spans, about."""
 
 TRIED_SPANS = 400
 """Spans that are looked at with the stops of other steps, before all stops are."""
@@ -145,9 +142,8 @@ class _Walk:
 
     @property
     def work(self) -> int:
-        """Spans looked at, and real trips asked for, as spans."""
-        asked = sum(len(search.trips.asked) for search in self.known.values() if search is not None)
-        return self.spans + TRIP_SPANS * asked
+        """Spans looked at, and what real trips took, counted as spans."""
+        return sum(search.work for search in self.known.values() if search is not None)
 
     def everything(self, begin: int, end: int) -> None:
         """Search all departures from one to another."""
@@ -209,11 +205,11 @@ class _Walk:
     def _run(self, search: SpanSearch, span: _Span, floor: float) -> bool:
         """Search a span, the stops of other steps first; return whether all was compared."""
         search.best, search.found, search.deadline = float("inf"), None, self.deadline
-        search.most_spans = search.spans + TRIED_SPANS
+        search.most_spans = search.work + TRIED_SPANS
         known = [stops for stops in self.stops if search.stops.allows(stops)]
         search.run(span.begin, span.end, known, floor)
         search.heap.clear()
-        search.most_spans = search.spans + max(self.most_spans - self.work, LEAST_SPANS)
+        search.most_spans = search.work + max(self.most_spans - self.work, LEAST_SPANS)
         return search.run(span.begin, span.end, floor=floor)
 
 

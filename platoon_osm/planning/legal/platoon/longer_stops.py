@@ -92,7 +92,7 @@ def longer_stops(
     _with_longer_breaks(search, begin, end)
     for _ in range(MOST_ROUNDS):
         before = search.best
-        search.most_spans = search.spans + MOST_SPANS
+        search.most_spans = search.work + MOST_SPANS
         assert search.found is not None
         search.run(begin, end, list(_longer(search, search.found[0])))
         search.heap = []
@@ -117,7 +117,7 @@ def _with_longer_breaks(search: SpanSearch, begin: int, end: int) -> None:
         search.numbers, asked.most, asked.rests, (*asked.lengths, *more), asked.next_stops
     )
     plan, values.plan = values.plan, values.stops.plan
-    search.most_spans = search.spans + MOST_SPANS
+    search.most_spans = search.work + MOST_SPANS
     search.run(begin, end)
     search.heap = []
     search.stops = values.stops = asked

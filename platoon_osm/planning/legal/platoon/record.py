@@ -155,6 +155,8 @@ class PlatoonTiming:
         Questions of real trips.
     spans : int
         Spans of departures looked at.
+    work : int
+        The same with what real trips took, counted as spans.
     seconds : float
         How long the search took.
     """
@@ -172,6 +174,7 @@ class PlatoonTiming:
     evaluations: int = 0
     asked: int = 0
     spans: int = 0
+    work: int = 0
     seconds: float = field(default=0.0, compare=False)
 
     @property

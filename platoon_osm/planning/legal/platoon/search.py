@@ -62,7 +62,8 @@ def search_platoon(
     time_limit_s : float
         After which the best found is returned, with its bound [s].
     most_spans : int
-        After so many spans of departures likewise; unlike time, the same on every machine.
+        After so many spans of departures likewise, real trips counted by what they take; unlike
+        time, that is the same on every machine.
     roads : OwnRoads, optional
         Says what lies on the members' own ways; it saves questions.
     again : Again, optional
@@ -121,7 +122,7 @@ class PlatoonSearch:
         Parameters
         ----------
         most_spans : int
-            After so many more spans it stops.
+            After so many more spans it stops, real trips counted by what they take.
         below : float
             As `search_platoon` takes it; no more than before.
         time_limit_s : float
@@ -136,7 +137,7 @@ class PlatoonSearch:
         found = PlatoonTiming(np.inf, np.inf, np.inf, True, None, None)
         while self._search is not None:
             search, star = self._search, self._searches.star
-            search.deadline, search.most_spans = began + time_limit_s, search.spans + most_spans
+            search.deadline, search.most_spans = began + time_limit_s, search.work + most_spans
             most = below - star.master_alone + most_gained(search)
             if most < search.best:
                 search.best, search.found = most, None
@@ -171,7 +172,7 @@ def _result(
                 longer = longer_stops(search, stops, departure, pays, *span)
             stops, departure = longer or (stops, departure)
             chosen = choices_of(search, stops, departure)
-    counts = (search.values.computed, len(search.trips.asked), search.spans)
+    counts = (search.values.computed, len(search.trips.asked), search.spans, search.work)
     if search.found is None or chosen is None:
         gains = most_gained(search)
         return PlatoonTiming(

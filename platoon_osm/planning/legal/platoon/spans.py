@@ -39,6 +39,9 @@ Choice = tuple[float, int, int, LegalTrip | None]
 SPLIT_S = 14400
 """Spans shorter than this are split by stops before they are split again [s]."""
 
+SPAN_LABELS = 100
+"""About so many labels of searches for real trips take as long as a span."""
+
 DIVE = 1.3
 """The search looks ahead after its first step, and whenever it has taken so many times more."""
 
@@ -64,7 +67,7 @@ class SpanSearch:
     tolerance : float
         Sums of costs that differ by less are equal.
     most_spans : int
-        After so many spans the search ends, too.
+        After so much work the search ends, too.
     heap : list
         Nodes, the most promising first.
     best : float
@@ -97,6 +100,11 @@ class SpanSearch:
 
     def __post_init__(self) -> None:
         self.least = np.zeros(len(self.numbers.alone))
+
+    @property
+    def work(self) -> int:
+        """Spans of departures looked at, and what real trips took, counted as spans."""
+        return self.spans + self.trips.labels // SPAN_LABELS
 
     def bounded(
         self, nodes: Sequence[SpanNode], most: float
@@ -249,7 +257,7 @@ class SpanSearch:
         while self.heap:
             if max(self.heap[0][1], floor) >= self.best - self.tolerance:
                 break
-            if self.spans > self.most_spans or time.perf_counter() > self.deadline:
+            if self.work > self.most_spans or time.perf_counter() > self.deadline:
                 return False
             # Now and then one looks ahead, the best of the best: a good plan that is found early
             # saves looking at worse ones.

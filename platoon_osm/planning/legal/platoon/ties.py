@@ -92,7 +92,8 @@ def first_departure(
     most = cost + search.tolerance
     spans = search.stops.allowed(search.star.road, stops, begin, end)
     left = [search.start(stops, None, *span) for span in reversed(spans)]
-    for _ in range(MOST_SPANS):
+    most_work = search.work + MOST_SPANS
+    while search.work < most_work:
         if not left:
             return None
         for _, total, node in search.bounded([left.pop()], most):
