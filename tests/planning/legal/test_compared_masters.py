@@ -9,7 +9,7 @@ import pytest
 from small_law import SMALL, drawn
 
 import platoon_osm as po
-from platoon_osm.driving.state import RESTED
+from platoon_osm.driving.state import RESTED, DriverState
 from platoon_osm.planning.asked import Asked
 from platoon_osm.planning.legal import compared
 from platoon_osm.planning.legal.compared import Compared
@@ -180,8 +180,30 @@ def test_the_best_master_is_that_of_searches_apart(seed, objective, monkeypatch)
     if objective == "member":
         assert found.bound == pytest.approx(least)
         assert not found.unfinished
-    assert found.spans < sum(one.timing.spans for one in apart)
+    assert found.work < sum(one.timing.work for one in apart)
     short = Compared(legal, None, alone)
     short.search(stars, 1)
     assert short.bound <= least + 1e-6
     assert short.unfinished == (short.bound < short.least * (1 - 1e-9))
+
+
+def test_real_trips_count_by_what_they_take():
+    """A team near its limit of a week takes long, and leaves fewer spans to look at."""
+    net = po.load_network("italy-motorways")
+    worked = []
+    for drivers, week in ((1, 0), (2, 44)):
+        state = DriverState(drivers=drivers, driven_this_week_s=week * 3600.0)
+        trips = [
+            po.Trip(f"V{k}", *ends, SIX, flexibility_min=60.0, driver=state)
+            for k, ends in enumerate((("Milano", "Napoli"), ("Torino", "Napoli")))
+        ]
+        problem = Problem(net, tuple(trips), po.paper_weights(net), rules="eu561", case="C")
+        legal = LegalQuestion(
+            Asked.of(problem).question, [problem.vehicle_of(trip) for trip in trips]
+        )
+        search = StarSearch(legal, legal.question.star(0))
+        timing = search.go_on(2000).timing
+        assert timing.asked
+        assert timing.work > timing.spans
+        worked.append((timing.work - timing.spans) / timing.asked)
+    assert worked[1] > worked[0] > 0

@@ -103,7 +103,7 @@ class SpanSearch:
 
     @property
     def work(self) -> int:
-        """Spans of departures looked at, and what real trips took, counted as spans."""
+        """How many spans were looked at, with what real trips took, counted as spans."""
         return self.spans + self.trips.labels // SPAN_LABELS
 
     def bounded(
