@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from .clocks import ARRIVAL, FAR, PLAIN, REST
 from .open_stops import AHEAD, LATER, LEAST, MOST, NEXT, RESTED, STOPPED
-from .own_ways import READY, STANDS
+from .own_ways import DRIVEN, FREE, PARTED, READY, STANDS
 from .pair_times import HELPERS as TIMES
-from .pair_times import departures
+from .pair_times import departures, most_driven
 
 __all__ = ["DEAD", "HELPERS", "charge", "holds"]
 
@@ -168,9 +168,21 @@ def charge(
                 # What is none for the master may be a rest for it.
                 rested = stopped
         news = False
+        most_free, most_parted, most_today = most_driven(
+            v, exits, exit_at[m, j, 0], exit_at[m, j, 1], clocks, own, low, high, stop_at, c,
+            stops, q, stopped, rested, sure,
+        )  # fmt: skip
+        top = till_cell[j]
+        while (of_use >> top) & 1 == 0:
+            top -= 1
+        before = min((top + 1) * width, end + 1 - begin)
         for e in range(entry_at[m, i, 1] - 1, entry_at[m, i, 0] - 1, -1):
             opens = entries[e, READY] - leave[i] - still[i, LATER] - begin
-            if opens + begin > end or (opens > 0 and of_use >> (opens // width) == 0):
+            if (
+                opens >= before
+                or (entries[e, FREE] > most_free and entries[e, PARTED] > most_parted)
+                or entries[e, DRIVEN] > most_today
+            ):
                 continue
             opens, closes = departures(
                 v, entries, e, exits, exit_at[m, j, 0], exit_at[m, j, 1], approach[m, i],

@@ -45,7 +45,7 @@ from .own_ways import (
     STANDS,
 )  # fmt: skip
 
-__all__ = ["HELPERS", "departures"]
+__all__ = ["HELPERS", "departures", "most_driven"]
 
 Seconds = NDArray[np.int64]
 
@@ -69,6 +69,58 @@ def _leaves_by(
         ):
             latest = max(latest, min(exits[k, MOST_DUTY] + since, spare_s - exits[k, STANDS]))
     return latest
+
+
+def most_driven(
+    v: Seconds, exits: Seconds, go: int, gone: int, clocks: Seconds, own: int, low: int, high: int,
+    stop_at: Seconds, c: int, stops: int, q: int, stopped: int, rested: int, sure: bool,
+) -> tuple[int, int, int]:  # fmt: skip
+    """Return what clocks may be at a merging point at most for a pair to be driven.
+
+    They must last up to the first stop of the platoon, or for some exit where it makes none. With
+    an entry whose clocks are beyond that `departures` need not be asked.
+
+    Parameters
+    ----------
+    v : ndarray of int, (NUMBERS,)
+        What is known of the member.
+    exits : ndarray of int
+        See `plain_ways`.
+    go, gone : int
+        From which exit to which.
+    clocks : ndarray of int
+        The master's way, see `StarNumbers`.
+    own : int
+        Which of the clocks is the member's.
+    low, high : int
+        The positions of the points.
+    stop_at : ndarray of int, (C, S)
+        Stops that are decided.
+    c, stops, q, stopped, rested : int
+        As `departures` takes them.
+    sure : bool
+        Whether limits are the strict ones.
+
+    Returns
+    -------
+    (int, int, int)
+        Driven with no part of a break taken, with the first part, one of which must hold, and
+        today [s].
+    """
+    day = v[SURE_DAY] if sure else v[DAY]
+    step = clocks[own, high] - clocks[own, low]
+    if q < stops and stop_at[c, q] <= high:
+        step = clocks[own, stop_at[c, q]] - clocks[own, low]
+        return v[SPELL] - step, v[SPELL] - step, day - step
+    if stopped >= 0:
+        return v[SPELL], v[SPELL], FAR if rested >= 0 else day - step
+    free, parted, today = -1, -1, -1
+    for k in range(go, gone):
+        free = max(free, exits[k, MOST_FREE])
+        parted = max(parted, exits[k, MOST_PARTED])
+        today = max(today, exits[k, MOST_TODAY])
+    free, parted, today = min(free, v[SPELL]), min(parted, v[SPELL]), min(today, day)
+    return free - step, parted - step, today - step
 
 
 def departures(
@@ -218,5 +270,5 @@ def departures(
     return opens, latest - first
 
 
-HELPERS = (needed, breaks_s, paused, onward_at, _leaves_by, departures)
+HELPERS = (needed, breaks_s, paused, onward_at, _leaves_by, most_driven, departures)
 """What kernels call, callees first: to be made known to the compiler before them."""

@@ -26,7 +26,7 @@ Table = tuple[Stops, Clocks | None, int, int] | tuple[Stops, Clocks | None, int,
 """Stops, the clocks after them if others may follow, the span of the departure, the next rest."""
 
 
-MOST_PLACES = 4096
+MOST_PLACES = 40960
 """Places in lists that a node keeps; of many vehicles those of several cells together."""
 
 
