@@ -30,7 +30,7 @@ LONGER_BREAKS_S = tuple(60 * minutes for minutes in (15, 30, 60, 120))
 MOST_ROUNDS = 4
 """How often the best is lengthened again."""
 
-MOST_SPANS = 400
+MOST_SPANS = 200
 """Spans of departures that are looked at with all stops, and for each of these rounds."""
 
 
