@@ -33,6 +33,12 @@ MOST_ROUNDS = 4
 MOST_SPANS = 200
 """Spans of departures that are looked at with all stops, and for each of these rounds."""
 
+MEMBER_SPANS = 2_000
+"""But no more than so many, counted for each member."""
+
+MOST_MEMBERS = 200
+"""With more members nothing is looked for: one round would take as long as the search itself."""
+
 
 def waiting_bound(search: SpanSearch, begin: int, end: int) -> float:
     """Return what members pay at least if the master may stand for any time at its stops.
@@ -86,13 +92,17 @@ def longer_stops(
     (tuple of (int, int), int) or None
         Stops and departure; None if none of those looked at is cheaper.
     """
+    members = max(len(search.star.alone), 1)
+    if members > MOST_MEMBERS:
+        return None
+    spans = min(MOST_SPANS, MEMBER_SPANS // members)
     kept, search.heap = search.heap, []
     most, best = search.most_spans, (search.best, search.found)
     search.best, search.found = cost, (stops, departure)
-    _with_longer_breaks(search, begin, end)
+    _with_longer_breaks(search, begin, end, spans)
     for _ in range(MOST_ROUNDS):
         before = search.best
-        search.most_spans = search.work + MOST_SPANS
+        search.most_spans = search.work + spans
         assert search.found is not None
         search.run(begin, end, list(_longer(search, search.found[0])))
         search.heap = []
@@ -106,7 +116,7 @@ def longer_stops(
     return found
 
 
-def _with_longer_breaks(search: SpanSearch, begin: int, end: int) -> None:
+def _with_longer_breaks(search: SpanSearch, begin: int, end: int, spans: int) -> None:
     """Search all stops with longer breaks for something cheaper than what is known."""
     asked, values = search.stops, search.values
     row = search.numbers.vehicles[search.numbers.master]
@@ -117,7 +127,7 @@ def _with_longer_breaks(search: SpanSearch, begin: int, end: int) -> None:
         search.numbers, asked.most, asked.rests, (*asked.lengths, *more), asked.next_stops
     )
     plan, values.plan = values.plan, values.stops.plan
-    search.most_spans = search.work + MOST_SPANS
+    search.most_spans = search.work + spans
     search.run(begin, end)
     search.heap = []
     search.stops = values.stops = asked
