@@ -354,13 +354,9 @@ class LegalQuestion:
                 return Span()
             return Span(trip.departure_s - late, OPEN_S, trip.arrival_s)
 
-        found = copy(self)
-        found.__dict__.pop("has_closings", None)
-        found._open = {}
-        found.__dict__["spans"] = tuple(
+        return self._with_spans(
             span(asked, own.trip) for asked, own in zip(self._asked, self.alone, strict=True)
         )
-        return found
 
     def hurried(self, delay_s: float) -> LegalQuestion:
         """Return the same question with a limit of delay besides the windows.
@@ -376,15 +372,19 @@ class LegalQuestion:
             No vehicle may do what it could not before.
         """
         late = math.floor(delay_s)
-        found = copy(self)
-        found.__dict__.pop("has_closings", None)
-        found._open = {}
-        found.__dict__["spans"] = tuple(
+        return self._with_spans(
             span
             if asked.earliest is None
             else replace(span, arrival_s=min(span.arrival_s, own.trip.arrival_s + late))
             for span, asked, own in zip(self.spans, self._asked, self.alone, strict=True)
         )
+
+    def _with_spans(self, spans: Iterable[Span]) -> LegalQuestion:
+        """Return the same question with other spans; what was worked out from them is forgotten."""
+        found = copy(self)
+        found.__dict__.pop("has_closings", None)
+        found._open = {}
+        found.__dict__["spans"] = tuple(spans)
         return found
 
     @cached_property

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...costs.time_prices import TimePrices
 from ...plans.stretches import Run
@@ -20,6 +21,8 @@ from .limits import Window
 from .programme import Programme
 
 __all__ = ["least_price"]
+
+Floats = NDArray[np.float64]
 
 SLACK_S = 1e-5
 """How far lateness may exceed its least value [s]."""
@@ -53,8 +56,6 @@ def least_price(
     float
         Of all together; inf if the runs cannot be driven.
     """
-    from scipy.optimize import linprog
-
     pieces = pieces_of_runs(runs, drive_s)
     if pieces is None:
         return np.inf
@@ -73,13 +74,17 @@ def least_price(
             last.offset_s + last.time_s - first.offset_s
             - sum(pieces.pieces[piece].time_s for piece in way)
         )  # fmt: skip
-    least = np.inf
-    for factors in (late, aim):
-        rows, limits = model.demands()
-        found = linprog(factors, rows, limits, bounds=model.bounds, method="highs")
-        if found.x is None:
-            return np.inf
-        least = float(factors @ found.x)
-        terms = {k: factors[k] for k in np.flatnonzero(factors).tolist()}
-        model.limit(terms, least + SLACK_S)
-    return least + constant
+    least_late = _least(model, late)
+    if not np.isfinite(least_late):
+        return np.inf
+    model.limit(dict.fromkeys(np.flatnonzero(late).tolist(), 1.0), least_late + SLACK_S)
+    return _least(model, aim) + constant
+
+
+def _least(model: Programme, factors: Floats) -> float:
+    """Return the least that a sum can be; inf if no times meet the demands."""
+    from scipy.optimize import linprog
+
+    rows, limits = model.demands()
+    found = linprog(factors, rows, limits, bounds=model.bounds, method="highs")
+    return np.inf if found.x is None else float(factors @ found.x)
