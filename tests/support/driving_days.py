@@ -197,6 +197,10 @@ DAILY_REST = [
     day("4 x (15h available, 9h rest), 1m drive", "Art. 8(4) Thu 19:00 +120"),
     day("13h available, 24h rest, 4 x (15h available, 9h rest), 1m drive",
         "Art. 8(4) Sat 08:00 +120", **USED),
+    # a weekly rest before the record's first work gives all three back, and no more
+    day("24h rest, 3 x (15h available, 9h rest), 1m drive", **USED),
+    day("24h rest, 4 x (15h available, 9h rest), 1m drive", "Art. 8(4) Fri 19:00 +120", **USED),
+    day("23h59 rest, 15h available, 9h rest, 1m drive", "Art. 8(4) Tue 18:59 +120", **USED),
     day("5 x (15h available, 9h rest), 1m drive", "Art. 8(4) Thu 19:00 +120",
         "Art. 8(4) Fri 19:00 +120"),
     day("15h available, 9h rest, 1m drive", reduced_rests_used=2),

@@ -1,6 +1,5 @@
 """Tables of text: headers, delimiters, quotations, places in one column or several."""
 
-import time
 from datetime import datetime
 
 import pytest
@@ -102,13 +101,11 @@ def test_hostile_cells_are_names_and_nothing_else(tmp_path, cell):
     assert (trip.vehicle, trip.origin) == (cell, cell)
 
 
-def test_ten_thousand_trips_take_a_moment(tmp_path):
+def test_ten_thousand_trips_are_read(tmp_path):
     rows = "".join(
         f"v{k};9,{k:04d};45,5;Monza;02.03.2026 06:{k % 60:02d};30\r\n" for k in range(10_000)
     )
     head = "vehicle;origin_lon;origin_lat;destination;earliest_departure;flexibility_min\r\n"
-    begin = time.process_time()
     trips = read(tmp_path, head + rows)
-    assert time.process_time() - begin < 5
     assert len(trips) == 10_000
     assert trips[777].origin == (9.0777, 45.5)
