@@ -170,7 +170,7 @@ def charge(
         news = False
         most_free, most_parted, most_today = most_driven(
             v, exits, exit_at[m, j, 0], exit_at[m, j, 1], clocks, own, low, high, stop_at, c,
-            stops, q, stopped, rested, sure,
+            stops, q, stopped, rested, still[i, NEXT], sure,
         )  # fmt: skip
         top = till_cell[j]
         while (of_use >> top) & 1 == 0:

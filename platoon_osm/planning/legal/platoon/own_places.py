@@ -82,11 +82,13 @@ def _keep_entry(rows: Seconds, count: int, new: Seconds) -> int:
         )  # fmt: skip
         if not worse:
             if kept < k:
-                rows[kept] = rows[k]
+                for x in range(rows.shape[1]):
+                    rows[kept, x] = row[x]
             kept += 1
     if kept >= len(rows):
         return -1
-    rows[kept] = new
+    for x in range(rows.shape[1]):
+        rows[kept, x] = new[x]
     return kept + 1
 
 
@@ -110,11 +112,13 @@ def _keep_exit(rows: Seconds, count: int, new: Seconds) -> int:
         )  # fmt: skip
         if not worse:
             if kept < k:
-                rows[kept] = rows[k]
+                for x in range(rows.shape[1]):
+                    rows[kept, x] = row[x]
             kept += 1
     if kept >= len(rows):
         return -1
-    rows[kept] = new
+    for x in range(rows.shape[1]):
+        rows[kept, x] = new[x]
     return kept + 1
 
 

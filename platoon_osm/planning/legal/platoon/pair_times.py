@@ -73,7 +73,7 @@ def _leaves_by(
 
 def most_driven(
     v: Seconds, exits: Seconds, go: int, gone: int, clocks: Seconds, own: int, low: int, high: int,
-    stop_at: Seconds, c: int, stops: int, q: int, stopped: int, rested: int, sure: bool,
+    stop_at: Seconds, c: int, stops: int, q: int, stopped: int, rested: int, soon: int, sure: bool,
 ) -> tuple[int, int, int]:  # fmt: skip
     """Return what clocks may be at a merging point at most for a pair to be driven.
 
@@ -96,7 +96,7 @@ def most_driven(
         The positions of the points.
     stop_at : ndarray of int, (C, S)
         Stops that are decided.
-    c, stops, q, stopped, rested : int
+    c, stops, q, stopped, rested, soon : int
         As `departures` takes them.
     sure : bool
         Whether limits are the strict ones.
@@ -113,7 +113,8 @@ def most_driven(
         step = clocks[own, stop_at[c, q]] - clocks[own, low]
         return v[SPELL] - step, v[SPELL] - step, day - step
     if stopped >= 0:
-        return v[SPELL], v[SPELL], FAR if rested >= 0 else day - step
+        alone = v[SPELL] - clocks[own, soon] + clocks[own, low]
+        return alone, alone, FAR if rested >= 0 else day - step
     free, parted, today = -1, -1, -1
     for k in range(go, gone):
         free = max(free, exits[k, MOST_FREE])

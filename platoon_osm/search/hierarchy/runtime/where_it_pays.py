@@ -95,12 +95,10 @@ class WhereItPays(Generic[Kernel]):
 
     def _compiled(self) -> Kernel:
         if self._lazy is None:
-            from numba.extending import register_jitable
-
-            from .jit import compiled, kept_with
+            from .jit import compiled, kept_with, made_known
 
             for helper in self._helpers:
-                register_jitable(helper)
+                made_known(helper)
             self._lazy = compiled(self._plain)
             kept_with(self._lazy, self._helpers)
         return self._lazy
