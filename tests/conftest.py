@@ -5,6 +5,7 @@
 """
 
 import os
+import signal
 
 import pytest
 from forked_command import Mother
@@ -29,6 +30,9 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "same"))
 def pytest_sessionstart():
     """Have every plan checked that a test makes, whatever it is made for."""
     inspect_every_plan()
+    # Shells start what runs behind them with interrupts ignored, and children would inherit that.
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items):
