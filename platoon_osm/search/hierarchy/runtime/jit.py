@@ -40,8 +40,8 @@ def made_known(helper: Callable[..., Any]) -> None:
     """Let kernels call a function, which is compiled with them.
 
     Numba counts who holds an array at every call that it does not inline, with locked
-    instructions: 40 % of the time of a search under driving rules. What makes no arrays needs no
-    count, for its caller holds them.
+    instructions, which takes longer than many of the calls. What makes no arrays needs no count,
+    for its caller holds them.
 
     Parameters
     ----------
