@@ -39,7 +39,7 @@ def a_search(one, looked):
         tables.look(np.full(own.stop - own.start, m), pairs.merge[own], pairs.separate[own])
     values = StarValues(numbers, pairs, tables, stops, evaluate)
     trips = AskedTrips(one.star, numbers, one.real)
-    return SpanSearch(one.star, numbers, values, trips, stops, math.inf, 1e-9)
+    return SpanSearch(one.star, numbers, values, trips, math.inf, 1e-9)
 
 
 def nodes_of(one, search):

@@ -201,7 +201,7 @@ def a_search(one, in_time, looked=True):
         tables.look(rows, pairs.merge[own], pairs.separate[own])
     values = StarValues(numbers, pairs, tables, stops, evaluate)
     trips = AskedTrips(one.star, numbers, one.real)
-    return SpanSearch(one.star, numbers, values, trips, stops, math.inf, 1e-9)
+    return SpanSearch(one.star, numbers, values, trips, math.inf, 1e-9)
 
 
 def certain_costs(search, rows, span):
@@ -331,8 +331,7 @@ def test_who_stops_alone_joins_again_where_that_is_cheaper():
         star = one.star
         alone = np.array([one.goes_alone(k) for k in range(3)])
         search = a_search(one, alone)
-        search.stops = MasterStops(search.numbers, 9, 0)
-        search.values.stops, search.values.plan = search.stops, search.stops.plan
+        search.values.stops = MasterStops(search.numbers, 9, 0)
         legal = [
             (stops, departure)
             for stops in all_stops(star, 0)

@@ -58,14 +58,9 @@ def waiting_bound(search: SpanSearch, begin: int, end: int) -> float:
     clocks = search.stops.states((), end)
     if clocks is None or begin > end:
         return -np.inf
-    values = search.values
-    asked = values.plan
-    values.plan = np.array([asked[0], asked[1], FAR, FAR], np.int64)
-    try:
-        node = search.start((), clocks, begin, end)
-        got = values.of(node.rows, [((), clocks, begin, end)])
-    finally:
-        values.plan = asked
+    rows = search.start((), clocks, begin, end).rows
+    any_length = np.array([*search.stops.plan[:2], FAR, FAR], np.int64)
+    got = search.values.of(rows, [((), clocks, begin, end)], plan=any_length)
     return float(got.bound[0])
 
 
@@ -118,20 +113,18 @@ def longer_stops(
 
 def _with_longer_breaks(search: SpanSearch, begin: int, end: int, spans: int) -> None:
     """Search all stops with longer breaks for something cheaper than what is known."""
-    asked, values = search.stops, search.values
+    asked = search.stops
     row = search.numbers.vehicles[search.numbers.master]
     if row[BREAK] >= FAR:
         return
     more = tuple(int(row[BREAK]) + wait for wait in LONGER_BREAKS_S)
-    search.stops = values.stops = MasterStops(
+    search.values.stops = MasterStops(
         search.numbers, asked.most, asked.rests, (*asked.lengths, *more), asked.next_stops
     )
-    plan, values.plan = values.plan, values.stops.plan
     search.most_spans = search.work + spans
     search.run(begin, end)
     search.heap = []
-    search.stops = values.stops = asked
-    values.plan = plan
+    search.values.stops = asked
 
 
 def _longer(search: SpanSearch, stops: Stops) -> Iterator[Stops]:

@@ -62,6 +62,12 @@ MOST_LABELS = 96
 """Labels of one point that are kept; a way that needs more is not tabulated."""
 
 
+def _put(rows: Seconds, at: int, row: Seconds) -> None:
+    """Copy a label; assigned as a whole it would be held in an array of its own meanwhile."""
+    for x in range(rows.shape[1]):
+        rows[at, x] = row[x]
+
+
 def _keep_entry(rows: Seconds, count: int, new: Seconds) -> int:
     """Add a label to those of a point if none is as good; return how many there are, or -1."""
     for k in range(count):
@@ -82,13 +88,11 @@ def _keep_entry(rows: Seconds, count: int, new: Seconds) -> int:
         )  # fmt: skip
         if not worse:
             if kept < k:
-                for x in range(rows.shape[1]):
-                    rows[kept, x] = row[x]
+                _put(rows, kept, row)
             kept += 1
     if kept >= len(rows):
         return -1
-    for x in range(rows.shape[1]):
-        rows[kept, x] = new[x]
+    _put(rows, kept, new)
     return kept + 1
 
 
@@ -112,17 +116,15 @@ def _keep_exit(rows: Seconds, count: int, new: Seconds) -> int:
         )  # fmt: skip
         if not worse:
             if kept < k:
-                for x in range(rows.shape[1]):
-                    rows[kept, x] = row[x]
+                _put(rows, kept, row)
             kept += 1
     if kept >= len(rows):
         return -1
-    for x in range(rows.shape[1]):
-        rows[kept, x] = new[x]
+    _put(rows, kept, new)
     return kept + 1
 
 
-HELPERS = (paused, _keep_entry, _keep_exit)
+HELPERS = (paused, _put, _keep_entry, _keep_exit)
 """What the kernels call, callees first: to be made known to the compiler before them."""
 
 

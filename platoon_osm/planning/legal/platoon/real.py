@@ -48,7 +48,7 @@ class RoadTrips:
     ----------
     star : StarTimes
         The master and its members.
-    approach, onward : callable
+    road_to, road_from : callable
         From a member and a node of the master's route to the way of the one to the other, or back.
         Its driving time is that in `star`.
     between : callable, optional
@@ -60,8 +60,8 @@ class RoadTrips:
     """
 
     star: StarTimes
-    approach: Callable[[int, int], Road]
-    onward: Callable[[int, int], Road]
+    road_to: Callable[[int, int], Road]
+    road_from: Callable[[int, int], Road]
     between: Callable[[int, int, int], Road] | None = None
     reached: dict[tuple[int, int, bool], int | None] = field(default_factory=dict)
 
@@ -133,7 +133,7 @@ class RoadTrips:
 
     def _is_late(self, member: int, i: int, merges: int, slack: int) -> bool:
         """Tell whether a member cannot be at a node by a moment, whatever follows."""
-        star, road = self.star, self.approach(member, i)
+        star, road = self.star, self.road_to(member, i)
         rules, window = star.member_rules[member], star.windows[member]
         if window.earliest_s <= -OPEN_S or slack > LOOSER_S or not road.hops:
             return False
@@ -173,7 +173,7 @@ class RoadTrips:
             The hops of the approach, of the master's way, and those onward.
         """
         road, last = self.star.road, None
-        parts = [self.approach(member, together[0][0])]
+        parts = [self.road_to(member, together[0][0])]
         for i, j in together:
             if last is not None:
                 parts.append(_shifted(self._between(member, last, i), table.slack_s))
@@ -185,37 +185,7 @@ class RoadTrips:
             parts.append(_shifted(self._shared(low, high, stay, leave), table.slack_s))
             last = j
         assert last is not None
-        return joined_roads([*parts, _shifted(self.onward(member, last), table.slack_s)])
-
-    def road_to(self, member: int, node: int) -> Road:
-        """Return the way of a member to a node of the master's route.
-
-        Parameters
-        ----------
-        member, node : int
-            Of the star.
-
-        Returns
-        -------
-        Road
-            As `approach` says.
-        """
-        return self.approach(member, node)
-
-    def road_from(self, member: int, node: int) -> Road:
-        """Return the way of a member on from a node of the master's route.
-
-        Parameters
-        ----------
-        member, node : int
-            Of the star.
-
-        Returns
-        -------
-        Road
-            As `onward` says.
-        """
-        return self.onward(member, node)
+        return joined_roads([*parts, _shifted(self.road_from(member, last), table.slack_s)])
 
     def _low(self, node: int) -> int:
         return int(self.star.node_at[node])

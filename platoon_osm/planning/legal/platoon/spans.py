@@ -60,8 +60,6 @@ class SpanSearch:
         What vehicles pay.
     trips : AskedTrips
         How vehicles really drive.
-    stops : MasterStops
-        Where the master may stop.
     deadline : float
         When the search is to end, on the clock of `time.perf_counter` [s].
     tolerance : float
@@ -86,7 +84,6 @@ class SpanSearch:
     numbers: StarNumbers
     values: StarValues
     trips: AskedTrips
-    stops: MasterStops
     deadline: float
     tolerance: float
     most_spans: int = 10**9
@@ -100,6 +97,11 @@ class SpanSearch:
 
     def __post_init__(self) -> None:
         self.least = np.zeros(len(self.numbers.alone))
+
+    @property
+    def stops(self) -> MasterStops:
+        """Where the master may stop."""
+        return self.values.stops
 
     @property
     def work(self) -> int:

@@ -131,7 +131,7 @@ class StarSearches:
         )  # fmt: skip
         values = StarValues(numbers, pairs_of_star(numbers), tables, stopping, kernels.evaluate)
         trips = AskedTrips(star, numbers, self.real)
-        return SpanSearch(star, numbers, values, trips, stopping, np.inf, SAME * total)
+        return SpanSearch(star, numbers, values, trips, np.inf, SAME * total)
 
 
 def departures_of(star: StarTimes) -> tuple[int, int]:

@@ -59,6 +59,8 @@ class MasterStops:
         Positions where it may stop.
     held : ndarray of int
         What a stop may last, ascending [s].
+    plan : ndarray of int, (4,)
+        The most stops and rests, and the longest stop without a rest and with one [s].
     """
 
     numbers: StarNumbers
@@ -68,6 +70,7 @@ class MasterStops:
     next_stops: Callable[..., int] = next_stops
     places: Seconds = field(init=False)
     held: Seconds = field(init=False)
+    plan: Seconds = field(init=False)
     _row: Seconds = field(init=False)
     _tau: Seconds = field(init=False)
 
@@ -86,6 +89,11 @@ class MasterStops:
         )
         lengths = {int(self._row[one]) for one in named} | set(self.lengths)
         self.held = np.array(sorted(one for one in lengths if one < FAR), np.int64)
+        rest_s = int(self._row[clocks_of.REST])
+        short = int(self.held[self.held < rest_s].max(initial=0))
+        rest = max(int(self._row[clocks_of.SURE_REST]), rest_s, *self.lengths, 0)
+        longest = rest if rest < FAR else short
+        self.plan = np.array([self.most, self.rests, short, longest], np.int64)
 
     def states(self, stops: Stops, departure: int) -> Clocks | None:
         """Return the clocks after the last stop; None if that is not legal.
@@ -173,16 +181,12 @@ class MasterStops:
         bool
             Whether a search may end with them.
         """
-        rests = sum(length >= self._row[clocks_of.REST] for _, length in stops)
-        return len(stops) <= self.most and rests <= self.rests
+        return len(stops) <= self.most and self._rests_left(stops) >= 0
 
-    @property
-    def plan(self) -> Seconds:
-        """The most stops and rests, the longest stop without a rest and with one."""
-        v = self._row
-        short = int(self.held[self.held < v[clocks_of.REST]].max(initial=0))
-        rest = max(int(v[clocks_of.SURE_REST]), int(v[clocks_of.REST]), *self.lengths, 0)
-        return np.array([self.most, self.rests, short, rest if rest < FAR else short], np.int64)
+    def _rests_left(self, stops: Stops) -> int:
+        """Return how many daily rests there may be besides those decided."""
+        rest_s = int(self._row[clocks_of.REST])
+        return self.rests - sum(length >= rest_s for _, length in stops)
 
     def after(self, clocks: Clocks, begin: int, stop: tuple[int, int]) -> Clocks | None:
         """Return the clocks after one stop more; None if that is not legal.
@@ -262,7 +266,7 @@ class MasterStops:
         if left <= 0:
             return []
         v, some = self._row, self.numbers
-        rests = self.rests - sum(length >= v[clocks_of.REST] for _, length in stops)
+        rests = self._rests_left(stops)
         found = np.empty((len(self.places) * len(self.held), 5), np.int64)
         count = self.next_stops(
             v, self.places, self._tau, some.stay, self.held, stops[-1][0] if stops else 0,
@@ -288,7 +292,7 @@ class MasterStops:
         """
         v, tau = self._row, self._tau
         at, end, made = (stops[-1][0] if stops else 0), len(tau) - 1, len(stops)
-        rests = self.rests - sum(length >= v[clocks_of.REST] for _, length in stops)
+        rests = self._rests_left(stops)
         day, spell = int(v[clocks_of.DAY]), int(v[clocks_of.SPELL])
         found = [(end + 1, 0, 0)] if clocks[2] + tau[end] - tau[at] <= day else []
         if rests <= 0:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -93,8 +93,6 @@ class StarValues:
         The kernel.
     computed : int
         Values computed.
-    plan : ndarray of int, (4,)
-        As `MasterStops.plan`.
     """
 
     numbers: StarNumbers
@@ -103,15 +101,11 @@ class StarValues:
     stops: MasterStops
     evaluate: Any
     computed: int = 0
-    plan: Seconds = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.plan = self.stops.plan
 
     def of(
         self, rows: Seconds, tables: Sequence[Table], *, sure: bool = False,
         throughout: bool = False, rank: Seconds | None = None, past: Past | None = None,
-        most: float = np.inf,
+        most: float = np.inf, plan: Seconds | None = None,
     ) -> Values:  # fmt: skip
         """Return what vehicles pay with some timetables, and the places of their pairs.
 
@@ -131,6 +125,9 @@ class StarValues:
             Likewise in cells of a span that holds theirs.
         most : float
             A timetable is of no interest if all together pay as much.
+        plan : ndarray of int, (4,), optional
+            How many stops that are not decided there may be and how long; by default as
+            `MasterStops.plan`.
 
         Returns
         -------
@@ -164,7 +161,8 @@ class StarValues:
             some.vehicles, some.approach, some.onward,
             *self.tables.of(sure), pairs.first, pairs.merge, pairs.separate, pairs.cost,
             some.alone, some.pos, some.tau, some.clocks, some.clock_of, self.stops.places,
-            self.plan, np.ascontiguousarray(made[:, :, 0]), np.ascontiguousarray(made[:, :, 1]),
+            self.stops.plan if plan is None else plan,
+            np.ascontiguousarray(made[:, :, 0]), np.ascontiguousarray(made[:, :, 1]),
             np.ascontiguousarray(rest[:, 0]), np.ascontiguousarray(rest[:, 1:4]),
             np.ascontiguousarray(rest[:, 6:]), sure, throughout,
             most, found.begin, found.end, found.bound, found.cost, found.rank, found.ranks,
