@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
+# Imported here, for only now is it found, wherever this is run from.
 
 from platoon_osm.network.geodesy import metres_per_degree  # noqa: E402
 from platoon_osm.report.ground.table import FILE, GroundTable  # noqa: E402

@@ -21,6 +21,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
+# Imported here, for only now is it found, wherever this is run from.
 
 from platoon_osm.network.spelling import fold  # noqa: E402
 from platoon_osm.network.towns.table import FILE, TownTable  # noqa: E402

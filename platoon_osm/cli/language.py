@@ -71,7 +71,7 @@ def _speaking(verb: Run) -> Run:
         with speaking(language, None if clock is None else int(clock)):
             return verb(**given)
 
-    return run  # type: ignore[return-value]
+    return run  # type: ignore[return-value]  # `wraps` keeps the signature of the verb
 
 
 class _Written(SectionOption):

@@ -194,7 +194,7 @@ def rules_of(given: object) -> DrivingRules:
             f"plan: rules is a {kind_of(given)}; give driving rules, such as NO_RULES, or one of "
             f"{', '.join(RULES)}"
         )
-    return given  # type: ignore[return-value]
+    return given  # type: ignore[return-value]  # it was looked at just above
 
 
 def limits_of(rules: DrivingRules, drivers: int = 1) -> Limits:

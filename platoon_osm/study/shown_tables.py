@@ -84,6 +84,7 @@ def shown_tables(results: Sequence[StudyResult], rows: Sequence[Row]) -> list[Sh
     ) -> ShownTable:
         lines = tuple(
             (placed[network], mixed(mixing), *(
+                # A setting and a column together make a key.
                 at[number, network, mixing, counted, method]  # type: ignore[index]
                 for _, (number, counted, method) in columns
             ))

@@ -77,7 +77,7 @@ class PlanMap(folium.Map):
     """
 
     default_js: list[tuple[str, str]] = []  # noqa: RUF012 (folium's own name and type)
-    default_css: list[tuple[str, str]] = []  # noqa: RUF012
+    default_css: list[tuple[str, str]] = []  # noqa: RUF012 (likewise)
 
     # Of folium's template only the script stays: its styles and its viewport, which forbids
     # zooming, are not wanted, and the page has the element already.
