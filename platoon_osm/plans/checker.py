@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from graphlib import CycleError, TopologicalSorter
 
 from ..errors import ScenarioError, brief
-from ..kinds import is_number, is_whole
+from ..kinds import is_whole
+from .needed import all_finite, need
 from .records import Event, Line, PlannedTrip, Platoon, PlatoonPoint, Span, Stop, Stretch
 from .timetable import Timetable
 
@@ -37,13 +37,13 @@ def check_parts(
         In one line: what does not fit.
     """
     count = len(trips)
-    _need(len(ways) == count, f"{count} trips have {len(ways)} ways")
+    need(len(ways) == count, f"{count} trips have {len(ways)} ways")
     for trip in trips:
         alone = trip.alone
         where = f"trip {trip.vehicle!r}"
         _finite(where, alone.length_m, alone.time_s, alone.fuel_l, alone.cost)
-        _need(len(alone.access) == 2, f"{where} has not one way to the road and one from it")
-        _need(bool(alone.edges or any(alone.access)), f"{where} drives nothing alone")
+        need(len(alone.access) == 2, f"{where} has not one way to the road and one from it")
+        need(bool(alone.edges or any(alone.access)), f"{where} drives nothing alone")
         _check_span(alone.edges, alone.span, where)
         for line in alone.access:
             _check_line(line, where)
@@ -55,16 +55,16 @@ def check_parts(
     for number, platoon in enumerate(platoons):
         where = f"platoon {number}"
         _positions(platoon.vehicles, count, where)
-        _need(
+        need(
             platoon.master is None or platoon.master in platoon.vehicles,
             f"{where} has a master that is not in it",
         )
     for number, event in enumerate(events):
         where = f"event {number}"
         _positions((*event.movers, *event.others), count, where)
-        _need(event.kind in ("merge", "separation"), f"{where} is a {brief(event.kind)}")
-        _need(len(event.movers) > 0, f"{where} moves nobody")
-        _need(0 <= event.stretch < len(stretches), f"{where} is at no stretch")
+        need(event.kind in ("merge", "separation"), f"{where} is a {brief(event.kind)}")
+        need(len(event.movers) > 0, f"{where} moves nobody")
+        need(0 <= event.stretch < len(stretches), f"{where} is at no stretch")
         _check_place(event.point, where)
     own = [(trip.vehicle, len(way)) for trip, way in zip(trips, ways, strict=True)]
     if timetable and own != [(times.vehicle, len(times.legs)) for times in timetable.vehicles]:
@@ -73,16 +73,16 @@ def check_parts(
 
 def _check_stretch(stretch: Stretch, count: int, where: str) -> None:
     if stretch.access is None:
-        _need(len(stretch.edges) > 0, f"{where} has no edges")
+        need(len(stretch.edges) > 0, f"{where} has no edges")
     else:
         # One edge, where the plan is laid out on a network that has the way.
-        _need(len(stretch.edges) < 2, f"{where} is a way beside the road, but has edges")
-        _need(len(stretch.vehicles) == 1, f"{where} is a way beside the road, driven together")
+        need(len(stretch.edges) < 2, f"{where} is a way beside the road, but has edges")
+        need(len(stretch.vehicles) == 1, f"{where} is a way beside the road, driven together")
         _check_line(stretch.access, where)
     _check_span(stretch.edges, stretch.span, where)
-    _need(len(stretch.vehicles) > 0, f"{where} has no vehicles")
+    need(len(stretch.vehicles) > 0, f"{where} has no vehicles")
     _positions(stretch.vehicles, count, where)
-    _need(len(stretch.shares) == len(stretch.vehicles), f"{where} has not one share a vehicle")
+    need(len(stretch.shares) == len(stretch.vehicles), f"{where} has not one share a vehicle")
     _finite(where, stretch.length_m, stretch.drive_s, stretch.inferred_m)
     for share in stretch.shares:
         told = (value for value in (share.alone_cost, share.money) if value is not None)
@@ -90,26 +90,26 @@ def _check_stretch(stretch: Stretch, count: int, where: str) -> None:
 
 
 def _check_span(edges: Sequence[int], span: Span, where: str) -> None:
-    _need(len(span) == 2 and _all_finite(span), f"{where} has a span that is none")
+    need(len(span) == 2 and all_finite(span), f"{where} has a span that is none")
     begin, end = span
-    _need(0 <= begin < 1 and 0 < end <= 1, f"{where} begins or ends beside its edges")
-    _need(len(edges) != 1 or begin < end, f"{where} ends before it begins")
+    need(0 <= begin < 1 and 0 < end <= 1, f"{where} begins or ends beside its edges")
+    need(len(edges) != 1 or begin < end, f"{where} ends before it begins")
 
 
 def _check_line(line: Line | None, where: str) -> None:
     if line is not None:
         fits = all(
-            len(point) == 2 and _all_finite(point) and abs(point[0]) <= 180 and abs(point[1]) <= 90
+            len(point) == 2 and all_finite(point) and abs(point[0]) <= 180 and abs(point[1]) <= 90
             for point in line
         )
-        _need(len(line) == 2 and fits, f"{where} has a way to the road that is no line")
+        need(len(line) == 2 and fits, f"{where} has a way to the road that is no line")
 
 
 def _check_place(place: Stop | PlatoonPoint, where: str) -> None:
-    _need((place.edge is None) == (place.share is None), f"{where} has half a place on an edge")
+    need((place.edge is None) == (place.share is None), f"{where} has half a place on an edge")
     if place.edge is not None and place.share is not None:
-        fits = is_whole(place.edge) and place.edge >= 0 and _all_finite([place.share])
-        _need(fits and 0 <= place.share <= 1, f"{where} has a place on an edge that is none")
+        fits = is_whole(place.edge) and place.edge >= 0 and all_finite([place.share])
+        need(fits and 0 <= place.share <= 1, f"{where} has a place on an edge that is none")
 
 
 def _check_ways(
@@ -119,16 +119,16 @@ def _check_ways(
     before: dict[int, set[int]] = {}
     for index, way in enumerate(ways):
         name = trips[index].vehicle
-        _need(len(way) > 0, f"{name!r} drives nothing")
+        need(len(way) > 0, f"{name!r} drives nothing")
         for place, stretch in enumerate(way):
-            _need(
+            need(
                 isinstance(stretch, int) and 0 <= stretch < len(stretches),
                 f"{name!r} drives no such stretch",
             )
             driven[stretch].add(index)
             before.setdefault(stretch, set()).update(way[place - 1 : place] if place else ())
     for number, own in enumerate(stretches):
-        _need(
+        need(
             driven[number] == set(own.vehicles),
             f"stretch {number} is not driven by the vehicles it names",
         )
@@ -141,7 +141,7 @@ def _check_ways(
 
 
 def _positions(vehicles: tuple[int, ...], count: int, where: str) -> None:
-    _need(
+    need(
         all(isinstance(one, int) and 0 <= one < count for one in vehicles)
         and len(set(vehicles)) == len(vehicles),
         f"{where} names vehicles that are not in the plan",
@@ -149,13 +149,4 @@ def _positions(vehicles: tuple[int, ...], count: int, where: str) -> None:
 
 
 def _finite(where: str, *values: float) -> None:
-    _need(_all_finite(values), f"{where} has a number that is not finite")
-
-
-def _all_finite(values: Iterable[float]) -> bool:
-    return all(is_number(value) and math.isfinite(value) for value in values)
-
-
-def _need(holds: bool, what: str) -> None:
-    if not holds:
-        raise ScenarioError(f"plan: {what}; it is damaged, plan again")
+    need(all_finite(values), f"{where} has a number that is not finite")

@@ -1,9 +1,9 @@
 """A plan as plain JSON types, and back; docs/plan.schema.json describes the form.
 
-Version 6 is the record itself. Version 5 knew no pauses and no drivers, version 4 did not tell what
-vehicles are like, version 3 knew no places between junctions or beside the road; all are read as
-they stand. Versions 1 and 2 held each vehicle's legs, and version 1 no times; both are read by
-`older_versions`.
+Version 7 is the record itself. Version 6 knew no bill, no shares of the gain and no chances,
+version 5 no pauses and no drivers, version 4 did not tell what vehicles are like, version 3 knew no
+places between junctions or beside the road; all are read as they stand. Versions 1 and 2 held each
+vehicle's legs, and version 1 no times; both are read by `older_versions`.
 """
 
 from __future__ import annotations
@@ -14,6 +14,9 @@ from typing import Any, TypeVar
 from ..costs.share import Share
 from ..errors import ScenarioError, brief
 from ..vehicles.profile import Vehicle
+from .bill import Bill
+from .chances import Chances
+from .gain import GainSharing
 from .older_versions import OLDER_VERSIONS, fields_of_older
 from .proof import Proof
 from .records import (
@@ -34,9 +37,9 @@ from .timetable import Timetable
 
 __all__ = ["PLAN_VERSION", "plan_from_dict"]
 
-PLAN_VERSION = 6
+PLAN_VERSION = 7
 
-RECORDS = (3, 4, 5, PLAN_VERSION)
+RECORDS = (3, 4, 5, 6, PLAN_VERSION)
 """Versions that are the record itself; what a later one added has a default."""
 
 Made = TypeVar("Made")
@@ -71,7 +74,6 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
     try:
         own = {name: value for name, value in data.items() if name != "plan_version"}
         fields = _fields(own) if found in RECORDS else fields_of_older(own)
-        table = own.get("timetable")
         return make(
             **{
                 **fields,
@@ -79,11 +81,18 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
                 "remarks": tuple(own["remarks"]),
                 "credits": tuple(own.get("credits", ())),
                 "closed": tuple(own.get("closed", ())),
-                "timetable": None if table is None else Timetable.from_dict(table),
+                "timetable": _part(Timetable.from_dict, own.get("timetable")),
+                "bill": _part(Bill.from_dict, own.get("bill")),
+                "gain": _part(GainSharing.from_dict, own.get("gain")),
+                "chances": _part(Chances.from_dict, own.get("chances")),
             }
         )
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
         raise ScenarioError(f"plan: {error} does not fit; it is damaged, plan again") from error
+
+
+def _part(make: Callable[[Mapping[str, Any]], Made], data: Any) -> Made | None:
+    return None if data is None else make(data)
 
 
 def _fields(data: Mapping[str, Any]) -> dict[str, Any]:

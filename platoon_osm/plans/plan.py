@@ -14,8 +14,12 @@ from ..atomic_file import whole_file
 from ..errors import ScenarioError, brief
 from ..offers import offered
 from ..shown_text import well_formed
+from .bill import Bill
+from .chances import Chances
 from .checker import check_parts
+from .gain import GainSharing
 from .json_form import PLAN_VERSION, plan_from_dict
+from .money_checks import check_money
 from .proof import Proof
 from .records import Event, MasterTried, NetworkIdentity, PlannedTrip, Platoon, Stretch
 from .text_table import named
@@ -79,6 +83,12 @@ class Plan:
         master was given.
     closed : tuple of str
         Roads that were to count as closed, in the words of whoever asked.
+    bill : Bill or None
+        What it costs in money, waiting and delay included; None where costs are no money.
+    gain : GainSharing or None
+        How what it saves is shared; None where nobody worked it out.
+    chances : Chances or None
+        How likely its merges are if vehicles run late; None where no delays were given.
 
     Raises
     ------
@@ -105,12 +115,16 @@ class Plan:
     credits: tuple[str, ...] = ()
     masters: tuple[MasterTried, ...] = ()
     closed: tuple[str, ...] = ()
+    bill: Bill | None = None
+    gain: GainSharing | None = None
+    chances: Chances | None = None
     plan_version: int = field(default=PLAN_VERSION, init=False)
 
     def __post_init__(self) -> None:
         check_parts(
             self.trips, self.stretches, self.ways, self.platoons, self.events, self.timetable
         )
+        check_money(self.trips, self.events, self.bill, self.gain, self.chances)
 
     @cached_property
     def vehicles(self) -> tuple[VehiclePlan, ...]:

@@ -42,7 +42,7 @@ def net():
 @pytest.mark.parametrize(("version", "name"), FILES)
 def test_every_number_and_word_is_there(version, name):
     data, plan = old(version, name), Plan.from_dict(old(version, name))
-    assert plan.plan_version == 6
+    assert plan.plan_version == 7
     for key in ("case", "asked", "objective", "method", "unit", "params", "version"):
         assert getattr(plan, key) == data[key]
     assert list(plan.remarks) == data["remarks"]
@@ -78,7 +78,7 @@ def test_version_3_says_all_but_places_between_junctions(name):
     data = old(3, name)
     plan = Plan.from_dict(data)
     now = json.loads(json.dumps(plan.to_dict()))
-    assert now.pop("plan_version") == 6
+    assert now.pop("plan_version") == 7
     assert data.pop("plan_version") == 3
     assert now.pop("closed") == []
     for stretch in (*now["stretches"], *(trip["alone"] for trip in now["trips"])):
@@ -99,6 +99,8 @@ def test_version_3_says_all_but_places_between_junctions(name):
         assert (event["point"].pop("edge"), event["point"].pop("share")) == (None, None)
     assert now.pop("masters") == []
     assert now["proof"].pop("any_plan") is None
+    for name in ("bill", "gain", "chances"):
+        assert now.pop(name) is None
     for key, value in data.items():
         assert now[key] == value
 

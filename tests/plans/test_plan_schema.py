@@ -15,6 +15,9 @@ from platoon_osm.costs.share import Share
 from platoon_osm.driving.state import DriverState
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans import records
+from platoon_osm.plans.bill import Bill, CostFigure, VehicleBill
+from platoon_osm.plans.chances import Chances, MeetingChance
+from platoon_osm.plans.gain import GainShare, GainSharing
 from platoon_osm.plans.pauses import DriverDay, Pause, PausePlace
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.proof import Proof
@@ -31,6 +34,9 @@ RECORDS = {
     "proof": Proof, "timetable": Timetable, "vehicle_times": VehicleTimes,
     "master_tried": records.MasterTried, "profile": Vehicle, "pause": Pause,
     "pause_place": PausePlace, "driver_day": DriverDay, "driver_state": DriverState,
+    "bill": Bill, "cost_figure": CostFigure, "vehicle_bill": VehicleBill,
+    "gain_sharing": GainSharing, "gain_share": GainShare,
+    "chances": Chances, "meeting_chance": MeetingChance,
 }  # fmt: skip
 
 
