@@ -63,8 +63,8 @@ def check_money(
         all_finite((chances.planned_saving, chances.expected_saving)),
         "its chances have a number that is not finite",
     )
-    for one in chances.meetings:
-        _check_meeting(one, events)
+    for meeting in chances.meetings:
+        _check_meeting(meeting, events)
 
 
 def _check_meeting(one: MeetingChance, events: Sequence[Event]) -> None:
