@@ -17,7 +17,8 @@ WALLS = {
     "": (
         "errors", "kinds", "registry", "interrupts", "leftovers", "shown_text", "output_paths",
         "atomic_file", "csv_tables", "offers", "network", "vehicles", "sources", "search",
-        "costs", "chance", "driving", "plans", "planning", "inspection", "report", "study", "cli",
+        "costs", "sharing", "chance", "driving", "plans", "planning", "inspection", "report",
+        "study", "cli",
     ),
     "network": ("towns", "preparing", "saved"),
     "sources": ("country", "speeds", "stops", "graphs", "osm", "overpass", "gis", "overture"),
