@@ -10,6 +10,7 @@ from ._version import __version__
 from .offers import offer
 
 if TYPE_CHECKING:
+    from .chance.delays import Delays
     from .costs.fatigue import FatigueModel
     from .costs.fuel import FUEL_SAVINGS, FuelSaving
     from .costs.paper import PaperCosts, paper_weights
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     from .planning.cases import plan_members
     from .planning.curves import delay_frontier, departure_curve
     from .planning.joint import plan_joint, solve
+    from .planning.meeting_chances import DelaysSimulated, simulate_delays
     from .planning.place_table import place_table
     from .planning.problem import Problem
     from .planning.scenario.trip_tables import read_trips
@@ -77,6 +79,9 @@ _WHERE = {
     "plan_members": "planning.cases",
     "departure_curve": "planning.curves",
     "delay_frontier": "planning.curves",
+    "Delays": "chance.delays",
+    "DelaysSimulated": "planning.meeting_chances",
+    "simulate_delays": "planning.meeting_chances",
     "DelayFrontier": "plans.curves",
     "DepartureCurve": "plans.curves",
     "plan_joint": "planning.joint",
@@ -115,6 +120,8 @@ __all__ = [
     "PAPER_STUDY",
     "Access",
     "DelayFrontier",
+    "Delays",
+    "DelaysSimulated",
     "DepartureCurve",
     "EdgeWeights",
     "FatigueModel",
@@ -153,6 +160,7 @@ __all__ = [
     "plan_members",
     "read_trips",
     "run_study",
+    "simulate_delays",
     "solve",
     "stops_along",
     "to_geodataframe",

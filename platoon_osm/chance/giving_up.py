@@ -15,9 +15,9 @@ and meets with the chance Phi(b / s). G Phi(b / s) - c b is greatest at
 
     b = s sqrt(2 ln(G / (c s sqrt(2 pi))))
 
-if the argument of the logarithm exceeds 1 and that is better than b = 0. A member that aims to be
-there y early loses G if it is late and pays c for its own wait alone; G F(y) - c E[max(y - X, 0)]
-is greatest where G f(y) = c F(y).
+if the argument of the logarithm exceeds 1, which is when it still rises at b = 0; otherwise at 0.
+A member that aims to be there y early loses G if it is late and pays c for its own wait alone;
+G F(y) - c E[max(y - X, 0)] is greatest where G f(y) = c F(y).
 """
 
 from __future__ import annotations
@@ -134,8 +134,7 @@ def buffer_ahead_s(spread_s: float, gain: float, price: float) -> float:
     argument = gain / (price * spread_s * ROOT_TAU)
     if argument <= 1:
         return 0.0
-    found = spread_s * math.sqrt(2 * math.log(argument))
-    return found if gain * (below(found / spread_s) - 0.5) > price * found else 0.0
+    return spread_s * math.sqrt(2 * math.log(argument))
 
 
 def early_start_s(spread_s: float, gain: float, price: float, most_s: float) -> float:

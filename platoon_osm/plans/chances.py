@@ -31,6 +31,11 @@ class MeetingChance:
         What hangs on the merge, in the plan's unit.
     missed_cost : float
         What the mover pays more than planned if it is missed, in the plan's unit.
+    movers_wait_up_to_s : float
+        How long a mover that is there first should wait for the others [s]; `window_s` and
+        `wait_up_to_s` are those of the others, who wait for the movers.
+    missed_late_s : float
+        How late the mover arrives at its destination if it just misses the others [s].
     """
 
     event: int
@@ -42,6 +47,8 @@ class MeetingChance:
     wait_up_to_s: float
     gain: float
     missed_cost: float
+    movers_wait_up_to_s: float = 0.0
+    missed_late_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +68,11 @@ class Chances:
     planned_saving : float
         What the plan saves if nobody is late, in its unit.
     expected_saving : float
-        What it saves on average.
+        What it saves on average, counted on the days that were simulated.
+    saving_error : float
+        Standard error of that.
+    closed_form_saving : float or None
+        The same in closed form; None where merges depend on each other, and it has none.
     """
 
     kind: str
@@ -70,6 +81,8 @@ class Chances:
     meetings: tuple[MeetingChance, ...]
     planned_saving: float
     expected_saving: float
+    saving_error: float = 0.0
+    closed_form_saving: float | None = None
 
     def of_event(self, event: int) -> MeetingChance | None:
         """Return how likely a merge is.

@@ -60,7 +60,16 @@ def check_money(
     if chances is None:
         return
     need(
-        all_finite((chances.planned_saving, chances.expected_saving)),
+        all_finite(
+            value
+            for value in (
+                chances.planned_saving,
+                chances.expected_saving,
+                chances.saving_error,
+                chances.closed_form_saving,
+            )
+            if value is not None
+        ),
         "its chances have a number that is not finite",
     )
     for meeting in chances.meetings:
@@ -73,6 +82,6 @@ def _check_meeting(one: MeetingChance, events: Sequence[Event]) -> None:
     need(is_number(one.chance) and 0 <= one.chance <= 1, "a merge has a chance beyond 1")
     numbers = (
         one.mean_s, one.spread_s, one.expected_wait_s, one.window_s, one.wait_up_to_s,
-        one.gain, one.missed_cost,
+        one.gain, one.missed_cost, one.movers_wait_up_to_s, one.missed_late_s,
     )  # fmt: skip
     need(all_finite(numbers), "a merge has a number that is not finite")
