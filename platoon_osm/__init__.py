@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .planning.place_table import place_table
     from .planning.problem import Problem
     from .planning.scenario.trip_tables import read_trips
+    from .planning.share_gain import share_gain
     from .plans.curves import DelayFrontier, DepartureCurve
     from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
@@ -86,6 +87,7 @@ _WHERE = {
     "DepartureCurve": "plans.curves",
     "plan_joint": "planning.joint",
     "solve": "planning.joint",
+    "share_gain": "planning.share_gain",
     "JointPlan": "plans.plan",
     "Plan": "plans.plan",
     "Problem": "planning.problem",
@@ -160,6 +162,7 @@ __all__ = [
     "plan_members",
     "read_trips",
     "run_study",
+    "share_gain",
     "simulate_delays",
     "solve",
     "stops_along",

@@ -1,0 +1,384 @@
+"""Who gets what a plan saves, against the definitions: all groups, orders and ways to split."""
+
+from dataclasses import replace
+from functools import cache
+from itertools import combinations, permutations
+
+import numpy as np
+import pytest
+from coalition_games import coalitions, shapley_by_orders, split_best
+from made_networks import both_ways, degrees
+from made_networks import network as made
+from soak import chosen, soaked
+
+import platoon_osm as po
+from platoon_osm.errors import ScenarioError
+from platoon_osm.plans.bill import Bill, VehicleBill
+from platoon_osm.vehicles.profile import Vehicle
+
+SMALL = Vehicle("small", height_m=3.5, width_m=2.5, mass_t=12)
+LARGE = Vehicle("large", height_m=4.0, width_m=2.5, mass_t=40)
+RATES = {"small": 0.7, "large": 1.0}
+
+
+class Tolls:
+    """Money by the kilometre, with savings by place; large vehicles save more."""
+
+    name, unit = "tolls", "EUR"
+
+    def __init__(self, lead=0.05, middle=0.22, last=0.2):
+        self.lead, self.middle, self.last = lead, middle, last
+        self.params = {"preset": "tolls", "lead": lead, "middle": middle, "last": last}
+
+    def rate(self, vehicle):
+        return RATES.get(getattr(vehicle, "name", ""), 1.0)
+
+    def saved(self, place, size, vehicle):
+        """Return the euros a kilometre that a vehicle saves at a place."""
+        if size < 2:
+            return 0.0
+        part = self.lead if place == 0 else self.last if place == size - 1 else self.middle
+        return part * self.rate(vehicle) ** 2
+
+    def weights(self, net, vehicle=None):
+        km = net.length_m / 1000
+        alone, at = self.rate(vehicle), self.rate(vehicle) ** 2
+        lead, middle, last = (
+            km * (alone - part * at) for part in (self.lead, self.middle, self.last)
+        )
+        return po.EdgeWeights(
+            solo=km * alone, platoon=np.maximum(middle, last), master=lead, unit="EUR",
+            params=self.params, network=net.identity(), middle=middle, last=last,
+        )  # fmt: skip
+
+    def waiting(self, seconds):
+        return 0.0 * seconds
+
+
+@cache
+def corridor():
+    """A road of seven junctions 40 km apart, a town beside each, and local roads between towns."""
+    nodes = [(40_000 * k, 0) for k in range(7)] + [(40_000 * k, 6_000) for k in range(7)]
+    road = [(k, k + 1) for k in range(6)]
+    links = [(k, k + 7) for k in range(7)]
+    local = [(k + 7, k + 8) for k in range(6)]
+    return made(nodes, both_ways(road + links + local), speed_mps=22.0)
+
+
+@cache
+def drawn(seed, count=None, costs=None, master=None):
+    """Draw trips along the corridor, one in four westward, of unlike vehicles, and plan them."""
+    draw = np.random.default_rng(seed)
+    trips = []
+    for k in range(count or int(draw.integers(2, 6))):
+        start, end = draw.integers(0, 3), draw.integers(4, 7)
+        if count is None and draw.random() < 0.25:
+            start, end = end - 1, start
+        place = int(start) + 7 * int(draw.integers(0, 2))
+        if draw.random() < 0.3:  # within an edge
+            lon, lat = degrees(40_000 * start + draw.uniform(5_000, 35_000), 0)
+            place = float(lon), float(lat)
+        profile = SMALL if draw.random() < 0.4 else LARGE
+        trips.append(po.Trip(f"v{k}", place, int(end) + 7 * int(draw.integers(0, 2)),
+                             profile=profile))  # fmt: skip
+    problem = po.Problem(corridor(), trips, costs or Tolls(), optimum="system", master=master)
+    return problem, po.solve(problem)
+
+
+def groups_of(plan):
+    """Return who is linked with whom, from the companies of the plan's stretches."""
+    found = [{k} for k in range(len(plan.trips))]
+    for stretch in plan.stretches:
+        linked = [one for one in found if one & set(stretch.vehicles)]
+        found = [one for one in found if one not in linked] + [set().union(*linked)]
+    return found
+
+
+def on_stretch(problem, plan, stretch, order):
+    """Return the cents that vehicles save on a stretch in an order, leader first."""
+    return {
+        one: 100 * stretch.length_m / 1000
+        * problem.objective.saved(place, len(order), plan.trips[one].profile)
+        for place, one in enumerate(order)
+    }  # fmt: skip
+
+
+def own_ways(problem, plan, saved):
+    """Return what each one's own way costs more than alone, in cents."""
+    gained = dict.fromkeys(range(len(plan.trips)), 0.0)
+    for stretch in plan.stretches:
+        for one, cents in on_stretch(problem, plan, stretch, stretch.vehicles).items():
+            gained[one] += cents
+    return {one: gained[one] - saved[one] for one in gained}
+
+
+def value_of(problem, plan, saved):
+    """Return what any group of vehicles has by itself on the planned roads, as a function."""
+    own = own_ways(problem, plan, saved)
+
+    @cache
+    def taking_part(group):
+        total = -sum(own[one] for one in group)
+        for stretch in plan.stretches:
+            there = [one for one in stretch.vehicles if one in group]
+            if len(there) > 1:
+                orders = [[one, *(k for k in there if k != one)] for one in there]
+                total += max(
+                    sum(on_stretch(problem, plan, stretch, order).values()) for order in orders
+                )
+        return total
+
+    return cache(
+        lambda group: max(taking_part(part) for part in coalitions_of(group))
+    )  # fmt: skip
+
+
+def coalitions_of(group):
+    own = sorted(group)
+    return [frozenset(part) for k in range(len(own) + 1) for part in combinations(own, k)]
+
+
+def worst_of(groups, value, shares):
+    """Return how many proper groups there are, and the most that one has beyond its shares."""
+    excess = [
+        value(part) - sum(shares[one] for one in part)
+        for group in groups
+        for part in coalitions_of(group)
+        if 0 < len(part) < len(group)
+    ]
+    return len(excess), max(excess, default=None)
+
+
+def equal_by_hand(problem, plan, saved):
+    """Return what each saves as a follower, less its part of the leader's loss and its own way."""
+    shares = {one: -cents for one, cents in own_ways(problem, plan, saved).items()}
+    for stretch in plan.stretches:
+        size = len(stretch.vehicles)
+        if size < 2:
+            continue
+        follow = on_stretch(problem, plan, stretch, stretch.vehicles)
+        leader, second = stretch.vehicles[0], [stretch.vehicles[1], stretch.vehicles[0]]
+        leading = follow[leader]
+        rest = [one for one in stretch.vehicles if one not in second]
+        follow[leader] = on_stretch(problem, plan, stretch, [*second, *rest])[leader]
+        for one in stretch.vehicles:
+            shares[one] += follow[one] - (follow[leader] - leading) / size
+    return shares
+
+
+SEEDS = range(chosen(6, 60))
+
+
+@soaked
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("rule", ["equal", "shapley", "least-core"])
+def test_shares_add_up_and_all_groups_are_asked(seed, rule):
+    problem, plan = drawn(seed)
+    gain = po.share_gain(plan, problem, rule).gain
+    saved = [one.saved_cents for one in gain.vehicles]
+    shares = [one.share_cents for one in gain.vehicles]
+    assert saved == [round(100 * (one.solo_cost - one.joint_cost)) for one in plan.vehicles]
+    assert sum(saved) == sum(shares) == gain.gain_cents
+    assert (gain.rule, gain.currency) == (rule, "EUR")
+    assert gain.nobody_is_worse_off
+    count, worst = worst_of(groups_of(plan), value_of(problem, plan, saved), shares)
+    assert gain.coalitions == count
+    assert gain.worst_cents == (None if worst is None else pytest.approx(worst, abs=1e-5))
+
+
+def test_the_plans_that_are_drawn_have_what_matters():
+    plans = [drawn(seed)[1] for seed in SEEDS]
+    stretches = [stretch for plan in plans for stretch in plan.stretches if stretch.together]
+    assert any(stretch.span != (0.0, 1.0) for stretch in stretches)
+    assert any(len(stretch.vehicles) > 3 for stretch in stretches)
+    assert any(len({plan.trips[k].profile for k in s.vehicles}) == 2
+               for plan in plans for s in plan.stretches)  # fmt: skip
+    assert any(len(groups_of(plan)) > 1 for plan in plans)
+
+
+@soaked
+@pytest.mark.parametrize("seed", SEEDS)
+def test_equal_parts_are_those_of_the_leaders_loss(seed):
+    problem, plan = drawn(seed)
+    gain = po.share_gain(plan, problem).gain
+    right = equal_by_hand(problem, plan, [one.saved_cents for one in gain.vehicles])
+    if min(right.values()) >= 0:
+        assert gain.remark == ""
+        for one, share in right.items():
+            assert gain.vehicles[one].share_cents == pytest.approx(share, abs=1)
+
+
+@soaked
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_shapley_value_is_the_mean_over_all_orders(seed):
+    problem, plan = drawn(seed)
+    gain = po.share_gain(plan, problem, "shapley").gain
+    saved = [one.saved_cents for one in gain.vehicles]
+    value = value_of(problem, plan, saved)
+    for group in groups_of(plan):
+        names = sorted(group)
+
+        def worth(part, names=names, group=group):
+            own = frozenset(names[k] for k in part)
+            return sum(saved[k] for k in group) if own == group else value(own)
+
+        right = shapley_by_orders(len(names), worth)
+        if min(right) >= 0:
+            for one, share in zip(names, right, strict=True):
+                assert gain.vehicles[one].share_cents == pytest.approx(share, abs=1)
+
+
+@soaked
+@pytest.mark.parametrize("seed", SEEDS)
+def test_in_the_least_core_nobody_has_more_to_gain_than_under_other_rules(seed):
+    problem, plan = drawn(seed)
+    worst = {
+        rule: po.share_gain(plan, problem, rule).gain.worst_cents
+        for rule in ("equal", "shapley", "least-core")
+    }
+    if worst["equal"] is not None:
+        rounding = len(plan.trips)
+        assert worst["least-core"] <= min(worst["equal"], worst["shapley"]) + rounding
+
+
+def test_vehicles_alike_bear_the_lead_together_and_stay_in_the_core():
+    costs = Tolls(lead=0.0, middle=0.2, last=0.2)
+    trips = [po.Trip(name, 0, 6) for name in "ABC"]
+    problem = po.Problem(corridor(), trips, costs)
+    gain = po.share_gain(po.solve(problem), problem).gain
+    # 240 km, two of three save 0.2 EUR a kilometre: 96 EUR, 32 for each; two alone have 48.
+    assert [one.share_cents for one in gain.vehicles] == [3200, 3200, 3200]
+    assert sorted(one.payment_cents for one in gain.vehicles) == [-1600, -1600, 3200]
+    assert gain.worst_cents == pytest.approx(4800 - 6400, abs=0.1)
+    assert gain.coalitions == 6
+
+
+def test_who_would_be_worse_off_by_the_rule_is_named_and_is_not():
+    costs = Tolls(lead=0.0, middle=0.3, last=0.3)
+    problem = po.Problem(corridor(), [po.Trip("A", 0, 6), po.Trip("B", 0, 6)], costs)
+    plan = po.solve(problem)
+    follower = plan.stretches[0].vehicles[1]
+    # It saves 72 EUR as a follower and waits for 65; half of what the leader loses is 36.
+    bill = bill_of(plan, waiting={follower: 6500})
+    gain = po.share_gain(replace(plan, bill=bill), problem).gain
+    assert gain.vehicles[follower].saved_cents == 700
+    assert gain.vehicles[follower].share_cents == 0
+    assert gain.vehicles[1 - follower].share_cents == 700
+    assert f"{'AB'[follower]} would be worse off" in gain.remark
+    assert (gain.coalitions, gain.worst_cents) == (2, 0)
+
+
+def test_where_all_together_lose_somebody_must():
+    costs = Tolls(lead=0.0, middle=0.3, last=0.3)
+    problem = po.Problem(corridor(), [po.Trip("A", 0, 6), po.Trip("B", 0, 6)], costs)
+    plan = po.solve(problem)
+    bill = bill_of(plan, waiting={0: 9000})
+    for rule in ("equal", "shapley", "least-core"):
+        gain = po.share_gain(replace(plan, bill=bill), problem, rule).gain
+        assert gain.gain_cents == -1800
+        assert not gain.nobody_is_worse_off
+        assert "all together lose" in gain.remark
+        assert gain.worst_cents > 0
+
+
+def bill_of(plan, waiting):
+    """Return the bill of a plan, with what some pay for waiting."""
+    vehicles = tuple(
+        VehicleBill(
+            (round(100 * one.solo_cost), 0), (round(100 * one.joint_cost), waiting.get(k, 0)),
+            0.0, 0.0, (0.0, 0.0), (0.0, 0.0),
+        )
+        for k, one in enumerate(plan.vehicles)
+    )  # fmt: skip
+    return Bill("EUR", ("fuel", "waiting"), vehicles)
+
+
+@cache
+def anew(part):
+    """Return what some of four vehicles save with a plan of their own."""
+    if len(part) < 2:
+        return 0
+    problem, _ = drawn(3, 4)
+    own = po.solve(replace(problem, trips=[problem.trips[k] for k in sorted(part)]))
+    return max(sum(round(100 * (one.solo_cost - one.joint_cost)) for one in own.vehicles), 0)
+
+
+@pytest.mark.parametrize("rule", ["equal", "shapley", "least-core"])
+def test_coalitions_may_plan_anew(rule):
+    problem, plan = drawn(3, 4)
+    gain = po.share_gain(plan, problem, rule, anew=True).gain
+    saved = [one.saved_cents for one in gain.vehicles]
+
+    def value(part):
+        return sum(saved) if len(part) == 4 else split_best(part, anew)
+
+    shares = [one.share_cents for one in gain.vehicles]
+    worst = max(
+        value(part) - sum(shares[k] for k in part) for part in coalitions(4) if 0 < len(part) < 4
+    )
+    assert (gain.coalitions, gain.manner) == (14, "planned anew")
+    assert gain.worst_cents == pytest.approx(worst, abs=1e-5)
+    if rule == "shapley":
+        right = shapley_by_orders(4, value)
+        if min(right) >= 0:
+            assert shares == pytest.approx(right, abs=1)
+
+
+def test_a_master_that_is_named_leads_only_where_it_is():
+    problem, plan = drawn(5, 3, master="v1")
+    gain = po.share_gain(plan, problem, anew=True).gain
+    assert gain.coalitions == 6
+
+
+def test_of_many_a_bound_covers_all_groups():
+    problem, plan = drawn(2, 14, Tolls(lead=0.0, middle=0.2, last=0.2))
+    assert max(map(len, groups_of(plan))) > 12
+    for rule in ("equal", "shapley", "least-core"):
+        gain = po.share_gain(plan, problem, rule).gain
+        assert gain.nobody_is_worse_off
+        assert gain.gain_cents == sum(one.saved_cents for one in gain.vehicles)
+        assert gain.coalitions == 0
+        assert "a bound covers all coalitions of 14 vehicles" in gain.remark
+        assert ("too many for the least core" in gain.remark) == (rule == "least-core")
+        saved = [one.saved_cents for one in gain.vehicles]
+        value = value_of(problem, plan, saved)
+        shares = [one.share_cents for one in gain.vehicles]
+        for pair in permutations(range(14), 2):
+            assert value(frozenset(pair)) - sum(shares[k] for k in pair) <= gain.worst_cents + 1e-5
+
+
+def test_a_vehicle_alone_shares_with_nobody():
+    problem = po.Problem(corridor(), [po.Trip("A", 0, 6)], Tolls())
+    gain = po.share_gain(po.solve(problem), problem).gain
+    assert [one.share_cents for one in gain.vehicles] == [0]
+    assert (gain.coalitions, gain.worst_cents, gain.manner) == (0, None, "")
+
+
+def test_a_plan_read_back_is_shared_alike(tmp_path):
+    problem, plan = drawn(1)
+    shared = po.share_gain(plan, problem)
+    shared.write_json(tmp_path / "plan.json")
+    again = po.Plan.read_json(tmp_path / "plan.json")
+    assert again.gain == shared.gain
+    assert po.share_gain(again, problem).gain == shared.gain
+
+
+def test_what_cannot_be_shared_is_told_in_a_line():
+    problem, plan = drawn(1, 3)
+    with pytest.raises(ScenarioError, match="share 'by lot' is unknown; use equal"):
+        po.share_gain(plan, problem, "by lot")
+    with pytest.raises(ScenarioError, match="the plan is not that of this problem"):
+        po.share_gain(plan, replace(problem, trips=problem.trips[:2]))
+    with pytest.raises(ScenarioError, match="str and Problem were given"):
+        po.share_gain("plan", problem)
+    metres = replace(problem, objective=po.paper_weights(corridor()))
+    with pytest.raises(ScenarioError, match="costs are in 'm', no money"):
+        po.share_gain(po.solve(metres), metres)
+    nodes = [(40_000 * k, 0) for k in range(14)]
+    other = made(nodes, both_ways([(k, k + 1) for k in range(13)]))
+    with pytest.raises(ScenarioError, match="the problem has another network"):
+        po.share_gain(plan, replace(problem, net=other))
+    many = [po.Trip(f"v{k}", 0, 6) for k in range(9)]
+    nine = po.Problem(corridor(), many, Tolls())
+    with pytest.raises(ScenarioError, match="9 vehicles have too many coalitions"):
+        po.share_gain(po.solve(nine), nine, anew=True)
