@@ -5,8 +5,8 @@ A climb of height h adds m g h; the engine gives it, at the efficiency of engine
 descent gives m g h back, but only up to what resistance takes on its length: the rest is braked
 away. How much of that is used, for drivers and cruise controls brake more, is `recovered`.
 
-No plan's cost has this in it: paper costs are those of the paper, and money comes with its own
-issue. It is here to be read, and for costs of one's own.
+A view of `consumption`, whose physics it is, of an older truck at steady speed. No plan's cost has
+it in it: the paper's costs are those of the paper, and money counts litres by `Consumption`.
 
 References
 ----------
@@ -23,8 +23,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..network.road_network import RoadNetwork, checked_network
-from ..vehicles.profile import Vehicle, vehicle_of
-from .resistance import AIR_KGPM3, DRAG, GRAVITY_MPS2, RANGES, ROLLING, check_ranges, level_n
+from ..vehicles.profile import Vehicle
+from .consumption import Consumption
+from .resistance import AIR_KGPM3, DRAG, RANGES, ROLLING, check_ranges
 
 __all__ = ["ClimbFuel"]
 
@@ -84,16 +85,14 @@ class ClimbFuel:
         ndarray of float, (m,)
             Megajoules at the wheels [MJ]; below 0 where descents save energy.
         """
-        who = vehicle_of(vehicle)
-        weight_n = who.mass_t * 1000 * GRAVITY_MPS2
-        resistance_n = level_n(self, who, checked_network(net).speed_mps)
-        climb, descent = net.climb_m.astype(np.float64), net.descent_m.astype(np.float64)
-        # Of an edge only the sums are known: where it descends is taken to be the share of its
-        # graded length that its descent has of all ups and downs.
-        total = climb + descent
-        share = np.divide(descent, total, out=np.zeros(net.m), where=total > 0)
-        usable = np.minimum(weight_n * descent, resistance_n * share * net.graded_m)
-        return (weight_n * climb - self.recovered * usable) / 1e6
+        steady = Consumption(
+            rolling=self.rolling,
+            drag=self.drag,
+            air_kgpm3=self.air_kgpm3,
+            recovered=self.recovered,
+            unsteady=0.0,
+        )
+        return steady.hills_mj(checked_network(net), vehicle, speed_mps=net.speed_mps)
 
     def extra_l(self, net: RoadNetwork, vehicle: Vehicle | str | None = None) -> Floats:
         """Return the fuel that climbs and descents add on each edge.

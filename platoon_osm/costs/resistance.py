@@ -24,8 +24,8 @@ from ..kinds import is_number
 from ..vehicles.profile import Vehicle
 
 __all__ = [
-    "AIR_KGPM3", "DRAG", "GRAVITY_MPS2", "RANGES", "ROLLING", "Resistance", "check_ranges",
-    "level_n",
+    "AIR_KGPM3", "DRAG", "GRAVITY_MPS2", "RANGES", "ROLLING", "Resistance", "air_n",
+    "check_ranges", "level_n",
 ]  # fmt: skip
 
 Floats = NDArray[np.float64]
@@ -80,6 +80,28 @@ def check_ranges(what: str, values: object, ranges: Ranges) -> None:
             raise ScenarioError(f"{what}: {label} is {brief(value)}; give {least:g} to {most:g}")
 
 
+def air_n(given: Resistance, vehicle: Vehicle, speed_mps: Floats) -> Floats:
+    """Return the force of the air on a vehicle that drives alone.
+
+    Parameters
+    ----------
+    given : Resistance
+        Coefficients and air.
+    vehicle : Vehicle
+        Who drives.
+    speed_mps : ndarray of float, (k,)
+        Speeds [m/s].
+
+    Returns
+    -------
+    ndarray of float, (k,)
+        Newton [N].
+    """
+    area = vehicle.height_m * vehicle.width_m
+    found: Floats = given.air_kgpm3 / 2 * given.drag * area * speed_mps**2
+    return found
+
+
 def level_n(
     given: Resistance, vehicle: Vehicle, speed_mps: Floats, air_saved: float = 0.0
 ) -> Floats:
@@ -101,7 +123,6 @@ def level_n(
     ndarray of float, (k,)
         Newton [N].
     """
-    area = vehicle.height_m * vehicle.width_m
-    air = given.air_kgpm3 / 2 * given.drag * area * speed_mps**2 * (1 - air_saved)
+    air = air_n(given, vehicle, speed_mps) * (1 - air_saved)
     found: Floats = given.rolling * vehicle.mass_t * 1000 * GRAVITY_MPS2 + air
     return found

@@ -7,7 +7,8 @@ On level road at a constant speed v the engine gives
 s being the share of air resistance that company saves. Fuel per kilometre follows P / v: the air's
 part falls with the square of the speed, what fans, pumps and compressors take grows as a kilometre
 takes longer. Only ratios of it are used, so that the litres of a preset hold at the speed they are
-for. No plan's cost has this in it.
+for. A view of `consumption`, whose physics it is, of an older truck at steady speed; no plan's cost
+has it in it.
 
 References
 ----------
@@ -22,8 +23,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..vehicles.profile import Vehicle, vehicle_of
-from .resistance import AIR_KGPM3, DRAG, RANGES, ROLLING, check_ranges, level_n
+from ..vehicles.profile import Vehicle
+from .consumption import Consumption
+from .resistance import AIR_KGPM3, DRAG, RANGES, ROLLING, check_ranges
 
 __all__ = ["LEAST_KMH", "SpeedFuel"]
 
@@ -81,11 +83,14 @@ class SpeedFuel:
         ndarray of float, (k,)
             P / v [N].
         """
-        who = vehicle_of(vehicle)
-        speed = np.asarray(speed_mps, np.float64)
-        level = level_n(self, who, speed, air_saved)
-        found: Floats = level + 1000 * self.auxiliary_kw / speed
-        return found
+        steady = Consumption(
+            rolling=self.rolling,
+            drag=self.drag,
+            air_kgpm3=self.air_kgpm3,
+            auxiliary_kw=self.auxiliary_kw,
+            unsteady=0.0,
+        )
+        return steady.force_n(speed_mps, vehicle, air_saved)
 
     def ratio(
         self, speed_mps: ArrayLike, usual_mps: ArrayLike, vehicle: Vehicle | str | None = None
