@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from ..errors import ScenarioError, brief
 from ..kinds import is_number, kind_of
 
-__all__ = ["Delays", "Kind", "factor"]
+__all__ = ["MOST_MIN", "Delays", "Kind", "factor"]
 
 Kind = Literal["normal", "lognormal"]
 Floats = NDArray[np.float64]

@@ -33,8 +33,9 @@ Floats = NDArray[np.float64]
 
 FARTHEST = 9.0
 """Beyond so many standard deviations lies less than the last digit of 1."""
-STEPS = 1801
-"""Of the trapezoidal rule."""
+STEPS, FINE_STEPS = 721, 14_401
+"""Of the trapezoidal rule; more where one delay nearly follows from the other."""
+NEARLY_SURE = 0.1
 SURE = 1e-6
 """A normal variable spread less than this, given another, follows from it."""
 
@@ -301,8 +302,9 @@ class LognormalGap:
         """Return the mean of a value over the delay of who is there."""
         if not self.there_s:
             return float(value(_Late(np.array([self.planned_s]), self._late(0.0), self.shape))[0])
-        z = np.linspace(-FARTHEST, FARTHEST, STEPS)
-        spread = self.shape * math.sqrt(max(1 - self.correlation**2, SURE**2))
+        rest = math.sqrt(max(1 - self.correlation**2, 0.0))
+        z = np.linspace(-FARTHEST, FARTHEST, STEPS if rest > NEARLY_SURE else FINE_STEPS)
+        spread = self.shape * max(rest, SURE)
         given = _Late(
             self.planned_s - self.there_s * np.exp(self.shape * z),
             self._late(self.correlation * self.shape * z),

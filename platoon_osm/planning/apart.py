@@ -22,7 +22,7 @@ from .question import Question
 from .reasons import reasons_alone
 from .timing.hours_check import broken_hours
 
-__all__ = ["lawful_company"]
+__all__ = ["apart", "lawful_company"]
 
 APART = "driving bans and hours of roads come before company"
 KEPT_APART = "company would break driving bans or hours of roads"
@@ -56,6 +56,9 @@ def lawful_company(
     """
     net = network_below(question.net)
 
+    def out(who: Collection[int]) -> tuple[Best, list[str]]:
+        return apart(question, best, who, APART, KEPT_APART)
+
     def breaking(one: Plan) -> set[int]:
         return {found.vehicle for found in broken_hours(one, net, vehicles)}
 
@@ -64,20 +67,43 @@ def lawful_company(
     harmed = {k for group in groups if len(group) > 1 and broken & set(group) for k in group}
     if not harmed:
         return plan
-    never = breaking(finish(*_apart(question, best, harmed)))
+    never = breaking(finish(*out(harmed)))
     could = broken - never
     hurt = {k for group in groups if could & set(group) for k in group}
     if not hurt:
         return plan
     if never & hurt:
-        some = finish(*_apart(question, best, never & hurt))
+        some = finish(*out(never & hurt))
         if breaking(some) <= broken - could:
             return some
-    return finish(*_apart(question, best, hurt))
+    return finish(*out(hurt))
 
 
-def _apart(question: Question, best: Best, who: Collection[int]) -> tuple[Best, list[str]]:
-    """Return an answer in which some drive alone, and the reasons."""
+def apart(
+    question: Question, best: Best, who: Collection[int], condition: str, reason: str
+) -> tuple[Best, list[str]]:
+    """Return an answer in which some drive alone who have company by another.
+
+    Parameters
+    ----------
+    question : Question
+        What is asked.
+    best : Best
+        The other answer.
+    who : collection of int
+        Positions in the plan.
+    condition : str
+        What the proof holds for besides.
+    reason : str
+        Why they drive alone.
+
+    Returns
+    -------
+    best : Best
+        The answer and what is proved about it.
+    reasons : list of str, (N,)
+        Why each vehicle drives alone; empty for those in company.
+    """
     draft = best.answer.draft
     routes = [question.alone[k] if k in who else route for k, route in enumerate(draft.routes)]
     companies: list[list[Company]] = [
@@ -93,7 +119,7 @@ def _apart(question: Question, best: Best, who: Collection[int]) -> tuple[Best, 
         best.proof,
         kind=best.proof.kind if best.proof.bound is None else "bound",
         cost=answer.cost,
-        conditions=(*best.proof.conditions, APART),
+        conditions=(*best.proof.conditions, condition),
     )
     names = [question.ends[k].vehicle for k in sorted(who)]
     reasons = reasons_alone(question, answer)
@@ -101,6 +127,6 @@ def _apart(question: Question, best: Best, who: Collection[int]) -> tuple[Best, 
         if any(len(company) > 1 for company in draft.companies[k]) and not any(
             len(company) > 1 for company in own
         ):
-            reasons[k] = KEPT_APART
-    remark = f"driven apart, for {KEPT_APART}: {listed(names)}"
+            reasons[k] = reason
+    remark = f"driven apart, for {reason}: {listed(names)}"
     return replace(best, answer=answer, proof=proof, remarks=(*best.remarks, remark)), reasons

@@ -36,12 +36,15 @@ class Best:
         What each master that was tried would give, the cheapest first.
     remarks : tuple of str
         What a reader should know.
+    others : tuple of Answer
+        All answers from which it was taken.
     """
 
     answer: Answer
     proof: Proof
     masters: tuple[MasterTried, ...]
     remarks: tuple[str, ...]
+    others: tuple[Answer, ...] = ()
 
 
 def best_answer(question: Question) -> Best:
@@ -81,6 +84,7 @@ def best_answer(question: Question) -> Best:
         _proof(question, best, tried),
         _masters(tried),
         tuple(_remarks(question, tried)),
+        tuple(tried.answers),
     )
 
 

@@ -6,6 +6,8 @@ Vehicles alike share one object of each kind, so that what is worked out for one
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import copy
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -79,6 +81,24 @@ class Fleet:
         """
         own = net.length_m / net.speed_mps
         return cls([weights] * vehicles, None, [own] * vehicles)
+
+    def with_chance(self, chance: float) -> Fleet:
+        """Return a fleet for which company saves a part of what it does.
+
+        Parameters
+        ----------
+        chance : float
+            How likely what company saves comes about, p of solo - p (solo - platoon).
+
+        Returns
+        -------
+        Fleet
+            What edges cost alone, and what is closed, is the same.
+        """
+        part = {id(own): _in_part(own, chance) for own in self._weights}
+        found = copy(self)
+        found._weights = [part[id(own)] for own in self._weights]
+        return found
 
     def __len__(self) -> int:
         return len(self._weights)
@@ -224,6 +244,19 @@ class Fleet:
         """
         own = {id(one): one for one in self._weights}
         return min(one.least_by_position(len(self._weights)) for one in own.values())
+
+
+def _in_part(weights: EdgeWeights, chance: float) -> EdgeWeights:
+    def part(array: Floats) -> Floats:
+        return weights.solo - chance * (weights.solo - array)
+
+    return replace(
+        weights,
+        platoon=part(weights.platoon),
+        master=part(weights.master),
+        middle=None if weights.middle is None else part(weights.middle),
+        last=None if weights.last is None else part(weights.last),
+    )
 
 
 def _slowest(times: list[Floats]) -> Floats:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..chance.delays import Delays
 from ..costs.objective import Objective
 from ..costs.weights import EdgeWeights
 from ..driving.rules import DrivingRules
@@ -30,16 +31,19 @@ from .best import Best, best_answer
 from .company.draft import Draft
 from .company.platoons import platoons_of
 from .masters import choices_of
+from .meeting_chances import with_chances
 from .place_remarks import with_place_remarks
 from .problem import Company, Optimum, Problem, check_choice
 from .question import Question
 from .quick_alone import told_quick
 from .reasons import reasons_alone
+from .robust import most_robust
 from .routers import AstarRouter, Method
 from .rules_told import with_rules
 from .star import Star
 from .tight_limits import tight_limits
 from .timing.bans import with_hours
+from .timing.days import Day
 from .timing.limits import PATIENCE_MIN
 from .timing.schedule import with_times
 from .timing.slower_approach import with_slower_approaches
@@ -72,6 +76,8 @@ def plan_joint(
     close: Iterable[Any] = (),
     rules: str | DrivingRules = "none",
     task_relief: float = 0.0,
+    delays: Delays | None = None,
+    robust: bool = False,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
 
@@ -117,6 +123,10 @@ def plan_joint(
         Of driving times: a name of `RULES`, as "eu561", or rules of your own.
     task_relief : float
         How much a follower's driving clock slows under them, from 0 to 1.
+    delays : Delays, optional
+        How late vehicles may be; the plan then tells how likely each merge is.
+    robust : bool
+        Whether to take the plan that is expected to save most with these, not the cheapest.
 
     Returns
     -------
@@ -147,7 +157,7 @@ def plan_joint(
             net=net, trips=given, objective=costs, case=case, master=master, method=method,
             optimum=objective, engine=engine, access=access, company=company,
             max_platoon=max_platoon, patience_min=patience_min, profile=profile, close=shut,
-            rules=law, task_relief=task_relief,
+            rules=law, task_relief=task_relief, delays=delays, robust=robust,
         )
     )  # fmt: skip
 
@@ -181,12 +191,12 @@ def solve(problem: Problem) -> Plan:
     patience_s = problem.patience_min * 60.0 if exact else None
     vehicles = [problem.vehicle_of(trip) for trip in problem.trips]
 
-    def timed(plan: Plan) -> Plan:
-        plan = with_times(with_place_remarks(plan, net, locations), problem.trips, patience_s)
+    def timed(plan: Plan, days: Sequence[Day] | None = None) -> Plan:
+        plan = with_times(with_place_remarks(plan, net, locations), problem.trips, patience_s, days)
         return with_hours(plan, net, problem.trips, vehicles, patience_s)
 
-    def finished(best: Best, reasons: Sequence[str]) -> Plan:
-        return timed(_of_best(question, best, reasons))
+    def finished(best: Best, reasons: Sequence[str], days: Sequence[Day] | None = None) -> Plan:
+        return timed(_of_best(question, best, reasons), days)
 
     if exact and problem.limits_driving:
         from .legal.solve import solved_under_law
@@ -202,11 +212,15 @@ def solve(problem: Problem) -> Plan:
         best = best_answer(question)
         plan = finished(best, reasons_alone(question, best.answer))
         plan = lawful_company(question, best, plan, vehicles, finished)
+        if problem.robust:
+            plan = most_robust(question, best, plan, vehicles, finished)
         plan = with_slower_approaches(plan, network_below(net), vehicles)
         plan = replace(plan, remarks=(*plan.remarks, *told_quick(question)))
     else:
         plan = timed(_by_astar(question))
     plan = with_waits_at_parkings(plan, network_below(net), vehicles)
+    if problem.delays is not None:
+        plan = with_chances(plan, problem.delays, problem.objective)
     return with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)
 
 

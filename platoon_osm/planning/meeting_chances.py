@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from ..chance.delays import Delays
 from ..chance.gaps import Gap, gap_of
-from ..chance.giving_up import wait_up_to_s
+from ..chance.giving_up import counted_wait_s, wait_up_to_s
 from ..chance.simulated import check_runs
 from ..costs.objective import Objective
 from ..costs.time_prices import TimePrices
@@ -282,7 +282,7 @@ class _Simulation:
         if gap is None:
             counted = (gaps_s, -gaps_s)
             wait, early = (
-                _counted_wait(some, window, gain, price)
+                counted_wait_s(some, window, gain, price)
                 for some, window, price in zip(counted, windows, prices, strict=True)
             )
         else:
@@ -324,21 +324,3 @@ class _Simulation:
         for one in meetings:
             found -= (1 - one.chance) * one.gain + self.prices.waiting * one.expected_wait_s
         return found
-
-
-def _counted_wait(gaps_s: Floats, window_s: float, gain: float, price: float) -> float:
-    """Return how long it is best to wait on days drawn for somebody who comes so much later."""
-    if gain <= 0 or window_s <= 0:
-        return 0.0
-    if price <= 0:
-        return window_s
-    inside = gaps_s[(gaps_s > 0) & (gaps_s <= window_s)]
-    # Between two of the days drawn waiting costs and nobody comes, so one of these is best.
-    waits = np.unique(np.concatenate([[0.0, window_s], inside]))
-    ordered = np.sort(gaps_s)
-    sums = np.concatenate([[0.0], np.cumsum(np.maximum(ordered, 0.0))])
-    met = np.searchsorted(ordered, waits, side="right")
-    waited = sums[met] + waits * (len(ordered) - met)
-    values = gain * met - price * waited
-    # Of equally good waits the longest, as in closed form.
-    return float(waits[len(waits) - 1 - int(np.argmax(values[::-1]))])

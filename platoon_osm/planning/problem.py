@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
+from ..chance.delays import Delays
 from ..costs.objective import Objective, check_objective
 from ..costs.weights import EdgeWeights
 from ..driving.rules import NO_RULES, DrivingRules, limits_of, rules_of
@@ -19,6 +20,7 @@ from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
 from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle, vehicle_of
 from .cases import CASES
+from .delays_asked import checked_delays
 from .master import LONGEST
 from .routers import Method
 from .timing.limits import PATIENCE_MIN
@@ -76,6 +78,11 @@ class Problem:
         is `DEFAULT_VEHICLE` at whatever speed the network was loaded for.
     close : tuple of str, int or (float, float)
         Roads that count as closed; see `planning.road_closures`.
+    delays : Delays or None
+        How late vehicles may be; the plan then tells how likely each merge is. Spreads that trips
+        name themselves are in it, too.
+    robust : bool
+        Whether the plan that is expected to save most with these delays is taken, not the cheapest.
 
     Raises
     ------
@@ -99,6 +106,8 @@ class Problem:
     patience_min: float = PATIENCE_MIN
     profile: Vehicle | None = None
     close: tuple[Any, ...] = ()
+    delays: Delays | None = None
+    robust: bool = False
 
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
@@ -155,6 +164,9 @@ class Problem:
             raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
         check_one_clock(self.trips)
         self._check_rules()
+        planned_freely = self.method == "dijkstra" and not self.limits_driving
+        delays = checked_delays(self.delays, self.robust, self.trips, planned_freely)
+        object.__setattr__(self, "delays", delays)
 
     def _check_rules(self) -> None:
         if not self.limits_driving:

@@ -127,6 +127,22 @@ class Question:
         routes = {**self._quick, **quick}
         return Question(self.problem, self.fleet, self.ends, self.trees, self._cheapest, routes)
 
+    def with_chance(self, chance: float) -> Question:
+        """Return the same question for vehicles to which company saves a part of what it does.
+
+        Parameters
+        ----------
+        chance : float
+            How likely what company saves comes about.
+
+        Returns
+        -------
+        Question
+            Routes alone are the same.
+        """
+        fleet = self.fleet.with_chance(chance)
+        return Question(self.problem, fleet, self.ends, self.trees, self._cheapest, self._quick)
+
     @cached_property
     def solo(self) -> Floats:
         """Cost of each vehicle alone, (N,)."""

@@ -9,8 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from ..chance.delays import MOST_MIN
 from ..driving.state import RESTED, DriverState, state_of
 from ..errors import NetworkError, ScenarioError, brief
+from ..kinds import is_number
 from ..network.location import PlaceLike, plain_place
 from ..vehicles.profile import Vehicle, vehicle_of
 from .zones import in_order
@@ -50,6 +52,8 @@ class Trip:
     driver : DriverState or mapping
         What its driver has behind it, or its two; fields of `DriverState` by name will do. By
         default one driver after a weekly rest.
+    delay_spread_min : float or None
+        Standard deviation of its delay [min], where delays count; None for that of the problem.
 
     Raises
     ------
@@ -66,6 +70,7 @@ class Trip:
     flexibility_min: float | None = None
     profile: Vehicle | None = None
     driver: DriverState = RESTED
+    delay_spread_min: float | None = None
 
     def __post_init__(self) -> None:
         if not isinstance(self.vehicle, str) or not self.vehicle.strip():
@@ -80,6 +85,12 @@ class Trip:
         object.__setattr__(self, "driver", state_of(self.driver, f"trip {self.vehicle!r}"))
         self._check_times()
         self._check_flexibility()
+        spread = self.delay_spread_min
+        if spread is not None and not (is_number(spread) and 0 <= spread <= MOST_MIN):
+            raise ScenarioError(
+                f"trip {self.vehicle!r}: delay_spread_min {brief(spread)} must be minutes from 0 "
+                f"to {MOST_MIN:.0f}"
+            )
 
     @property
     def times(self) -> dict[str, datetime]:

@@ -60,7 +60,12 @@ Floats = NDArray[np.float64]
 Row = dict[int, float]
 
 
-def with_times(plan: Plan, trips: Sequence[Trip], patience_s: float | None = None) -> Plan:
+def with_times(
+    plan: Plan,
+    trips: Sequence[Trip],
+    patience_s: float | None = None,
+    days: Sequence[Day] | None = None,
+) -> Plan:
     """Return a plan with its timetable; the plan itself if no trip names a time.
 
     Parameters
@@ -71,13 +76,15 @@ def with_times(plan: Plan, trips: Sequence[Trip], patience_s: float | None = Non
         Those of the plan's vehicles, by name.
     patience_s : float, optional
         As in `schedule`.
+    days : sequence of Day, (N,), optional
+        As in `schedule`.
 
     Returns
     -------
     Plan
         The same routes; remarks tell who is late.
     """
-    timetable = schedule(plan, trips, patience_s)
+    timetable = schedule(plan, trips, patience_s, days)
     if timetable is None:
         return plan
     return replace(
