@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from .chance.delays import Delays
     from .costs.fatigue import FatigueModel
     from .costs.fuel import FUEL_SAVINGS, FuelSaving
+    from .costs.money.fuel_costs import FuelCosts
+    from .costs.money.objective import MoneyCosts, money_costs
     from .costs.paper import PaperCosts, paper_weights
     from .costs.weights import EdgeWeights
     from .errors import (
@@ -61,6 +63,9 @@ _WHERE = {
     "FUEL_SAVINGS": "costs.fuel",
     "FuelSaving": "costs.fuel",
     "EdgeWeights": "costs.weights",
+    "FuelCosts": "costs.money.fuel_costs",
+    "MoneyCosts": "costs.money.objective",
+    "money_costs": "costs.money.objective",
     "PaperCosts": "costs.paper",
     "paper_weights": "costs.paper",
     "MapDataError": "errors",
@@ -127,10 +132,12 @@ __all__ = [
     "DepartureCurve",
     "EdgeWeights",
     "FatigueModel",
+    "FuelCosts",
     "FuelSaving",
     "JointPlan",
     "Location",
     "MapDataError",
+    "MoneyCosts",
     "NetworkError",
     "NoRouteError",
     "PaperCosts",
@@ -156,6 +163,7 @@ __all__ = [
     "inspect_plan",
     "load_network",
     "many_to_many",
+    "money_costs",
     "paper_weights",
     "place_table",
     "plan_joint",

@@ -24,7 +24,7 @@ WALLS = {
     "sources": ("country", "speeds", "stops", "graphs", "osm", "overpass", "gis", "overture"),
     "search": ("hierarchy",),
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
-    "costs": ("tolls",),
+    "costs": ("tolls", "money"),
     "driving": ("bans",),
     "planning": ("timing", "company", "legal", "scenario"),
     "planning/legal": ("driver", "platoon"),

@@ -109,6 +109,9 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "net.take": (net.take, {"edges": [0, 1]}),
         "paper_weights": (po.paper_weights, {"net": net, "costs": None}),
         "PaperCosts": (po.PaperCosts, _defaults(po.PaperCosts())),
+        "FuelCosts": (po.FuelCosts, _defaults(po.FuelCosts())),
+        "MoneyCosts": (po.MoneyCosts, _defaults(po.MoneyCosts())),
+        "money_costs": (po.money_costs, {"preset": "us", "fuel_per_l": 1.0, "drag": 0.6}),
         "FuelSaving": (po.FuelSaving, {"name": "x", "leader": 0.1, "middle": 0.1, "last": 0.1}),
         "FatigueModel": (po.FatigueModel, {"form": "monotone", "task_relief": 1.0}),
         "FatigueModel.along": (
@@ -157,7 +160,7 @@ NAMES = (
     "Trip", "Problem", "solve", "plan_joint", "plan_members", "many_to_many", "place_table",
     "inspect_plan", "plan.to_frame", "plan.to_geodataframe", "load_network",
     "Access", "Place", "net.locate", "net.locate(osmid)", "net.take", "paper_weights",
-    "PaperCosts",
+    "PaperCosts", "FuelCosts", "MoneyCosts", "money_costs",
     "FuelSaving", "FatigueModel",
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",

@@ -24,7 +24,7 @@ WHERE = "On which network (before the scenario's)"
 
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
-    "case", "master", "objective", "method", "company", "max_platoon", "patience_min",
+    "case", "master", "optimum", "method", "company", "max_platoon", "patience_min",
     "access_limit_km", "rules", "task_relief",
 )  # fmt: skip
 
@@ -47,7 +47,7 @@ def asked_options(verb: Run) -> Run:
         _option(WHAT, "--sheet", help="Sheet or layer of that table; else the first."),
         _option(WHAT, "--case", help="A, B, C, D or best."),
         _option(WHAT, "--master", help="Vehicle that keeps its route, or longest; else the best."),
-        _option(WHAT, "--objective", help="Whose cost is least: member or system."),
+        _option(WHAT, "--optimum", help="Whose cost is least: member or system."),
         _option(WHAT, "--method", help="dijkstra (exact) or astar (the paper's)."),
         _option(WHAT, "--company", help="Platoons anywhere, or with the master alone."),
         _option(WHAT, "--max-platoon", type=int, help="Vehicles of the largest platoon."),
@@ -75,10 +75,13 @@ def asked_options(verb: Run) -> Run:
             WHAT, "--task-relief", type=float,
             help="How much a follower's clock slows under them: 0, as in law, to 1.",
         ),
-        _option(WHAT, "--preset", help="Costs by name; those there are stand below."),
+        _option(
+            WHAT, "--objective", "--preset", "preset",
+            help="What is to be least: eu, us, fuel, paper, ...; they stand below.",
+        ),
         _option(
             WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
-            help="A parameter of the costs, as tau=0.5; as often as needed.",
+            help="A figure of the objective, as fuel_per_l=1.5; as often as needed.",
         ),
         _option(WHERE, "--network", help="A bundled map's name or a file."),
         _option(WHERE, "--classes", type=classes_of, help="Highway values to load, with commas."),
@@ -121,9 +124,13 @@ def asked_scenario(scenario: Path | None, given: dict[str, Any]) -> Scenario:
         Neither a scenario nor trips with a network, or a value that is none.
     """
     from ..planning.scenario.changes import changed
+    from ..planning.scenario.objective_table import OPTIMA
     from ..planning.scenario.reading import read_scenario
 
     table, sheet, preset = (given.pop(name) for name in ("trips", "sheet", "preset"))
+    if preset in OPTIMA:
+        # What --optimum was called before there were objectives to choose from.
+        given["optimum"], preset = given["optimum"] or preset, None
     if sheet is not None and table is None:
         raise ScenarioError("--sheet names a sheet of --trips; give that too")
     network = _named({"source": given.pop("network")} | _taken(given, NETWORK_KEYS))

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import click
 from click.core import ParameterSource
 
+from ..costs.presets import PRESETS
 from ..driving.rules import RULES
 from ..errors import ScenarioError
 from .outputs import output_kind
@@ -22,6 +23,7 @@ __all__ = [
     "classes_of",
     "classes_option",
     "network_options",
+    "objective_named",
     "output_option",
     "rules_named",
     "truck_options",
@@ -87,6 +89,30 @@ def rules_named(text: str) -> str:
         return RULES.find(text).name
     except ScenarioError as error:
         raise ScenarioError(f"--rules: {error}") from None
+
+
+def objective_named(text: str) -> str:
+    """Look an objective up.
+
+    Parameters
+    ----------
+    text : str
+        What was typed.
+
+    Returns
+    -------
+    str
+        A name of `PRESETS`, to which other packages may have added some.
+
+    Raises
+    ------
+    ScenarioError
+        There is none of that name.
+    """
+    try:
+        return PRESETS.find(text).name
+    except ScenarioError as error:
+        raise ScenarioError(f"--objective: {error}") from None
 
 
 def output_option(

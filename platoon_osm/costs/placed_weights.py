@@ -69,7 +69,9 @@ def placed_weights(
         for name in ("solo", *IN_COMPANY)
         if (weight := getattr(own, name)) is not None
     }
-    return replace(own, **carried, network=net.identity() if own.network else "")
+    placed = None if own.by_place is None else own.by_place.on(net)
+    name = net.identity() if own.network else ""
+    return replace(own, **carried, network=name, by_place=placed)
 
 
 def _solo_per_metre(net: PlacedNetwork, own: EdgeWeights, edge: int) -> float:

@@ -1,4 +1,4 @@
-"""Objectives by name, as scenarios ask for them: `[costs] preset = "paper"`.
+"""Objectives by name, as scenarios ask for them: `[objective] preset = "eu"`.
 
 Reading this list costs nothing: an objective is imported when it is made.
 """
@@ -80,15 +80,54 @@ PAPER_PARAMETERS = (
     "fuel_l_per_100km",
 )  # fmt: skip
 
+PRICE_PARAMETERS = (
+    "fuel_per_l", "driver_per_h", "driver_following", "toll", "toll_unknown_per_km", "co2_per_t",
+    "waiting_per_h", "delay_per_h", "to_wheel_kg_per_l", "from_well_kg_per_l",
+)  # fmt: skip
+FUEL_PARAMETERS = (
+    "positions", "rolling", "drag", "air_kgpm3", "auxiliary_kw", "efficiency", "recovered",
+    "fuel_mjpl", "unsteady",
+)  # fmt: skip
+
+
+def _money(preset: str) -> Callable[..., Objective]:
+    def make(**params: Any) -> Objective:
+        from .money.objective import money_costs
+
+        return money_costs(preset, **params)
+
+    return make
+
+
+def _fuel(**params: Any) -> Objective:
+    from .money.fuel_costs import fuel_costs
+
+    return fuel_costs(**params)
+
+
 PRESETS = Registry(
-    "costs preset",
+    "objective",
     [
         CostPreset(
+            "eu",
+            "money in Europe [EUR]: fuel, driver, toll, waiting; savings as measured on roads",
+            _money("eu"),
+            (*PRICE_PARAMETERS, *FUEL_PARAMETERS),
+        ),
+        CostPreset(
+            "us",
+            "money in the United States [USD], likewise",
+            _money("us"),
+            (*PRICE_PARAMETERS, *FUEL_PARAMETERS),
+        ),
+        CostPreset("fuel", "litres of fuel; savings as measured on roads", _fuel, FUEL_PARAMETERS),
+        CostPreset(
             "paper",
-            "Adas et al. 2025: distance, time and fuel in metre equivalents",
+            "Adas et al. 2025: distance, time and fuel in metre equivalents, 18 % saved (its "
+            "assumption)",
             _paper,
             PAPER_PARAMETERS,
-        )
+        ),
     ],
 )
 DEFAULT_PRESET = "paper"

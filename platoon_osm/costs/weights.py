@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
+from .by_place import ByPlace
 from .share import Share
 
 __all__ = ["EdgeWeights"]
@@ -45,6 +46,10 @@ class EdgeWeights:
         at most `platoon`. None if it pays `platoon`.
     middle_fuel_l_per_m : float or None
         Litres a metre between first and last; None if they are a member's as above.
+    by_place : ByPlace or None
+        What is really paid by place, size and pace of a company; None if the arrays say all.
+    slowest_s : ndarray of float, (m,), or None
+        How long the slowest vehicle of a fleet drives each edge [s]; None if all are as fast.
 
     Raises
     ------
@@ -63,6 +68,8 @@ class EdgeWeights:
     middle: Floats | None = None
     last: Floats | None = None
     middle_fuel_l_per_m: float | None = None
+    by_place: ByPlace | None = None
+    slowest_s: Floats | None = None
 
     def __post_init__(self) -> None:
         for label in ("solo", "platoon", "master", "middle", "last"):
@@ -173,7 +180,32 @@ class EdgeWeights:
         del seconds
         return 0.0
 
-    def share(self, edges: ArrayLike, length_m: float, position: int, size: int) -> Share:
+    def among(self, slowest_s: Floats) -> EdgeWeights:
+        """Return the weights of the same vehicle in a fleet with slower ones.
+
+        Parameters
+        ----------
+        slowest_s : ndarray of float, (m,)
+            How long the slowest of the fleet drives each edge [s].
+
+        Returns
+        -------
+        EdgeWeights
+            The same object if no pace matters.
+        """
+        if self.by_place is None:
+            return self
+        platoon, master = self.by_place.planned(slowest_s)
+        return replace(self, platoon=platoon, master=master, slowest_s=slowest_s)
+
+    def share(
+        self,
+        edges: ArrayLike,
+        length_m: float,
+        position: int,
+        size: int,
+        drive_s: Floats | None = None,
+    ) -> Share:
         """Return what one vehicle pays on a stretch driven in one company.
 
         Parameters
@@ -186,6 +218,8 @@ class EdgeWeights:
             Place of the vehicle in the company; 0 leads.
         size : int
             Vehicles in the company.
+        drive_s : ndarray of float, (k,), optional
+            How long the company drives each edge [s]; by default as long as the vehicle alone.
 
         Returns
         -------
@@ -193,6 +227,8 @@ class EdgeWeights:
             Cost and fuel, as planned and alone.
         """
         ids = np.asarray(edges, np.int64)
+        if self.by_place is not None:
+            return self.by_place.share(ids, position, size, drive_s)
         alone_l, leading_l, following_l = self.fuel_l_per_m
         alone = float(self.solo[ids].sum())
         if size < 2:
@@ -221,6 +257,8 @@ class EdgeWeights:
         float
             At most 1, which it is where places do not matter.
         """
+        if self.by_place is not None:
+            return self.by_place.least(vehicles, self.slowest_s)
         least = 1.0
         for real, needed in ((self.last, 2), (self.middle, 3)):
             if real is not None and vehicles >= needed:

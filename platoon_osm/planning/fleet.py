@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from ..costs.share import Share
 from ..costs.weights import EdgeWeights
 from ..network.road_network import RoadNetwork
 
@@ -36,6 +37,8 @@ class Fleet:
         How long each takes for every edge alone [s].
     why : callable, optional
         Tells why an edge is closed to a vehicle, from its position and an edge id.
+    spread : float
+        Share of the driving that rest adds to it in `drive_s`.
 
     Notes
     -----
@@ -48,11 +51,13 @@ class Fleet:
         closed: Sequence[Marks | None] | None = None,
         drive_s: Sequence[Floats] | None = None,
         why: Callable[[int, int], str] | None = None,
+        spread: float = 0.0,
     ) -> None:
         self._weights = list(weights)
         self._closed = list(closed) if closed is not None else [None] * len(self._weights)
         self._drive_s = list(drive_s) if drive_s is not None else None
         self._why = why
+        self._spread = spread
         self._alone: dict[int, Floats] = {}
         kinds: dict[tuple[int, int], int] = {}
         self.kind = [
@@ -228,6 +233,32 @@ class Fleet:
         """
         ids = np.asarray(edges, np.int64)
         return float(_slowest([pace[ids] for pace in self._paces(company)]).sum())
+
+    def share(self, company: Sequence[int], place: int, edges: Edges, length_m: float) -> Share:
+        """Return what one vehicle of a company pays on some edges.
+
+        Parameters
+        ----------
+        company : sequence of int
+            Positions in the plan, in the order in which they drive.
+        place : int
+            Whose share, its place in the company.
+        edges : ndarray of int, (k,)
+            Edge ids.
+        length_m : float
+            Their length [m].
+
+        Returns
+        -------
+        Share
+            Cost and fuel, as planned and alone.
+        """
+        own = self._weights[company[place]]
+        if own.by_place is None or len(company) < 2:
+            return own.share(edges, length_m, place, len(company))
+        # Rest that is spread over the driving makes it longer, not slower.
+        pace = _slowest([one[edges] for one in self._paces(company)]) / (1 + self._spread)
+        return own.share(edges, length_m, place, len(company), pace)
 
     def _paces(self, company: Sequence[int]) -> list[Floats]:
         """Return how long the vehicles of a company take for every edge, each pace once."""

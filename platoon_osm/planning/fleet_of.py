@@ -50,13 +50,14 @@ def fleet_of(problem: Problem, places: PlacedEnds, closed: Marks) -> Fleet:
     vehicles = [problem.vehicle_of(trip) for trip in problem.trips]
     roads = _Roads(net, without_roads(net, closed))
     own: dict[Vehicle | None, EdgeWeights] = {}
-    pace: dict[tuple[bool, float | None] | None, Floats] = {}
+    spread = spread_of(problem.rules)
+    moving = {_pace_of(kind): drive_times(net, kind) for kind in kinds}
+    # Rest that is spread over the driving makes all of it longer, alone and together.
+    pace = {kind: times * (1 + spread) for kind, times in moving.items()}
+    slowest = np.maximum.reduce(list(moving.values())) if len(moving) > 1 else None
     for kind in kinds:
         if kind not in own:
-            own[kind] = _weights(problem, net, kind, own)
-        if _pace_of(kind) not in pace:
-            # Rest that is spread over the driving makes all of it longer, alone and together.
-            pace[_pace_of(kind)] = drive_times(net, kind) * (1 + spread_of(problem.rules))
+            own[kind] = _weights(problem, net, kind, slowest, own)
     return Fleet(
         [own[kind] for kind in kinds],
         [
@@ -69,6 +70,7 @@ def fleet_of(problem: Problem, places: PlacedEnds, closed: Marks) -> Fleet:
         ],
         [pace[_pace_of(kind)] for kind in kinds],
         lambda vehicle, edge: roads.why(vehicles[vehicle], edge),
+        spread,
     )
 
 
@@ -81,10 +83,13 @@ def _weights(
     problem: Problem,
     net: RoadNetwork,
     kind: Vehicle | None,
+    slowest_s: Floats | None,
     known: dict[Vehicle | None, EdgeWeights],
 ) -> EdgeWeights:
     """Return what edges cost a vehicle: the same object where it costs what another does."""
     made = placed_weights(problem.objective, net, "plan", kind)
+    if slowest_s is not None:
+        made = made.among(slowest_s)
     for other in known.values():
         if made is other or made.same(other):
             return other

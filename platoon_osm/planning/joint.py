@@ -28,6 +28,7 @@ from .answers import Answer
 from .apart import lawful_company
 from .asked import Asked
 from .best import Best, best_answer
+from .billing import with_bill
 from .company.draft import Draft
 from .company.platoons import platoons_of
 from .masters import choices_of
@@ -64,7 +65,7 @@ def plan_joint(
     trips: Iterable[Trip] | None = None,
     case: str = "best",
     *,
-    objective: Optimum = "member",
+    optimum: Optimum = "member",
     method: Method = "dijkstra",
     master: str | None = None,
     engine: EngineName = "auto",
@@ -78,6 +79,7 @@ def plan_joint(
     task_relief: float = 0.0,
     delays: Delays | None = None,
     robust: bool = False,
+    objective: Optimum | None = None,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
 
@@ -92,7 +94,7 @@ def plan_joint(
     case : {"A", "B", "C", "D", "best"}
         "A" members merge and stay, "B" start together and separate, "C" both, "D" two vehicles
         whose routes are both free, "best" the cheapest of those that apply.
-    objective : {"member", "system"}
+    optimum : {"member", "system"}
         "member": each member pays least itself (the paper); "system": members and master together
         pay least.
     method : {"dijkstra", "astar", "astar-closed-once"}
@@ -127,6 +129,8 @@ def plan_joint(
         How late vehicles may be; the plan then tells how likely each merge is.
     robust : bool
         Whether to take the plan that is expected to save most with these, not the cheapest.
+    objective : {"member", "system"}, optional
+        What `optimum` was called before; it counts if given.
 
     Returns
     -------
@@ -136,7 +140,7 @@ def plan_joint(
     Raises
     ------
     ScenarioError
-        Unknown case, objective, method, engine, rules or master; D for other than two vehicles; a
+        Unknown case, optimum, method, engine, rules or master; D for other than two vehicles; a
         trip that ends where it starts; times with and without a zone; arguments of another kind.
     NetworkError
         A place that is not on the network.
@@ -147,7 +151,9 @@ def plan_joint(
         if weights is not None or trips is not None:
             raise ScenarioError("plan: a Problem says all; give no weights or trips beside it")
         return solve(net)
-    check_choice("objective", objective, ("member", "system"))
+    if objective is not None:
+        check_choice("objective", objective, ("member", "system"))
+        optimum = objective
     costs: Any = weights
     given: Any = trips
     shut: Any = close
@@ -155,7 +161,7 @@ def plan_joint(
     return solve(
         Problem(
             net=net, trips=given, objective=costs, case=case, master=master, method=method,
-            optimum=objective, engine=engine, access=access, company=company,
+            optimum=optimum, engine=engine, access=access, company=company,
             max_platoon=max_platoon, patience_min=patience_min, profile=profile, close=shut,
             rules=law, task_relief=task_relief, delays=delays, robust=robust,
         )
@@ -221,7 +227,8 @@ def solve(problem: Problem) -> Plan:
     plan = with_waits_at_parkings(plan, network_below(net), vehicles)
     if problem.delays is not None:
         plan = with_chances(plan, problem.delays, problem.objective)
-    return with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)
+    plan = with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)
+    return with_bill(plan, problem.objective, network_below(net))
 
 
 def _with_limits(

@@ -198,7 +198,6 @@ def _stretch(net: RoadNetwork, fleet: Fleet, run: Run) -> Stretch:
     edges = np.asarray(run.edges, np.int64)
     length = net.length_m[edges]
     length_m = float(length.sum())
-    size = len(run.company)
     way = access_of(net, edges)[:1].any()
     below, span = ((), WHOLE) if way else whole_edges(net, edges)
     return Stretch(
@@ -207,7 +206,7 @@ def _stretch(net: RoadNetwork, fleet: Fleet, run: Run) -> Stretch:
         length_m=length_m,
         drive_s=fleet.route_s(run.company, edges),
         shares=tuple(
-            fleet[one].share(edges, length_m, place, size) for place, one in enumerate(run.company)
+            fleet.share(run.company, place, edges, length_m) for place in range(len(run.company))
         ),
         inferred_m=float(length[net.inferred[edges]].sum()),
         span=span,
@@ -235,7 +234,7 @@ def _trip(
     edges = np.asarray(alone, np.int64)
     length = net.length_m[edges]
     length_m = float(length.sum())
-    share = fleet[index].share(edges, length_m, 0, 1)
+    share = fleet.share((index,), 0, edges, length_m)
     ways = access_of(net, edges)
     road = edges[~ways]
     below, span = whole_edges(net, road) if len(road) else ((), WHOLE)
@@ -255,6 +254,7 @@ def _trip(
             float(length[net.inferred[edges]].sum()),
             span,
             (first, last),
+            share.terms,
         ),
         reason,
         profile,

@@ -9,31 +9,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..costs.cost_figure import CostFigure
 from ..errors import ScenarioError
 
-__all__ = ["Bill", "CostFigure", "VehicleBill"]
-
-
-@dataclass(frozen=True, slots=True)
-class CostFigure:
-    """A figure that costs were worked out with.
-
-    Attributes
-    ----------
-    name : str
-        What it is, as parameters of the objective are called.
-    value : float
-        The figure.
-    unit : str
-        Such as "EUR/l"; empty for a share.
-    source : str
-        Who says so, and when.
-    """
-
-    name: str
-    value: float
-    unit: str
-    source: str
+__all__ = ["Bill", "VehicleBill"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -43,6 +43,7 @@ def check_parts(
         where = f"trip {trip.vehicle!r}"
         _finite(where, alone.length_m, alone.time_s, alone.fuel_l, alone.cost)
         need(len(alone.access) == 2, f"{where} has not one way to the road and one from it")
+        need(all_finite((*alone.terms, alone.paused_s)), f"{where} has a term that is not finite")
         need(bool(alone.edges or any(alone.access)), f"{where} drives nothing alone")
         _check_span(alone.edges, alone.span, where)
         for line in alone.access:
@@ -87,6 +88,7 @@ def _check_stretch(stretch: Stretch, count: int, where: str) -> None:
     for share in stretch.shares:
         told = (value for value in (share.alone_cost, share.money) if value is not None)
         _finite(where, share.cost, share.fuel_l, share.alone_fuel_l, *told)
+        _finite(where, *share.terms, *share.alone_terms)
 
 
 def _check_span(edges: Sequence[int], span: Span, where: str) -> None:

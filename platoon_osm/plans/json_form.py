@@ -123,6 +123,7 @@ def _trip(data: Mapping[str, Any]) -> PlannedTrip:
                     "edges": tuple(data["alone"]["edges"]),
                     "span": _span(data["alone"]),
                     "access": tuple(map(_line, data["alone"].get("access", (None, None)))),
+                    "terms": tuple(data["alone"].get("terms", ())),
                 }
             ),
         }
@@ -139,11 +140,16 @@ def _stretch(data: Mapping[str, Any]) -> Stretch:
             **data,
             "edges": tuple(data["edges"]),
             "vehicles": tuple(data["vehicles"]),
-            "shares": tuple(Share(**item) for item in data["shares"]),
+            "shares": tuple(_share(item) for item in data["shares"]),
             "span": _span(data),
             "access": _line(data.get("access")),
         }
     )
+
+
+def _share(data: Mapping[str, Any]) -> Share:
+    terms = {name: tuple(data.get(name, ())) for name in ("terms", "alone_terms")}
+    return Share(**{**data, **terms})
 
 
 def _span(data: Mapping[str, Any]) -> Span:

@@ -96,6 +96,11 @@ class SoloRoute:
     access : tuple of (Line or None), (2,)
         The ways to the road before its edges, and to the destination after them; they count in all
         totals.
+    terms : tuple of float
+        The cost term by term, in the order of the objective's terms; empty where it does not tell
+        them apart.
+    paused_s : float
+        How long it would stand on its way for the driving rules of the plan [s].
     """
 
     edges: tuple[int, ...]
@@ -106,6 +111,8 @@ class SoloRoute:
     inferred_m: float = 0.0
     span: Span = WHOLE
     access: tuple[Line | None, Line | None] = (None, None)
+    terms: tuple[float, ...] = ()
+    paused_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

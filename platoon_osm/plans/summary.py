@@ -6,12 +6,14 @@ from collections.abc import Callable, Sequence
 
 from ..driving.rules import places_pauses
 from ..shown_text import fitted
+from .bill_lines import bill_lines
 from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
 from .credits import credits_of
 from .lateness import NOT_FEASIBLE, NOT_IN_TIME, status_lines
 from .law_lines import law_lines, place_text
 from .leading import leading_text
+from .paid import paid
 from .plan import Plan
 from .proof_sentence import proof_sentence
 from .records import Line
@@ -53,13 +55,20 @@ def _heading(plan: Plan) -> list[str]:
     case = f"Case {plan.case}: {CASE_TITLES.get(plan.case, 'a plan')}"
     status = [f"{line}." for line in (*map(fitted, _not_lawful(plan)), *status_lines(plan))]
     if plan.unit != "m":
-        return [f"{case}; costs in {named(plan.unit)}", *status, ""]
+        return [f"{case}; {_counted(plan)}", *status, ""]
     return [
         f"{case}; costs in km-equivalents",
         "(weighted cost: distance, time and fuel, each rescaled to km and added up)",
         *status,
         "",
     ]
+
+
+def _counted(plan: Plan) -> str:
+    unit = named(plan.unit)
+    saving = plan.params.get("positions")
+    kept = f", savings by position {named(str(saving))}" if saving else ""
+    return f"costs in {unit}{kept}"
 
 
 def _not_lawful(plan: Plan) -> list[str]:
@@ -80,15 +89,16 @@ def _table(plan: Plan) -> list[str]:
         "vehicle", "from", "to", "role", "alone", "joint", "saving", "km", "litres", "hours",
         "platoon",
     ]  # fmt: skip
-    told, rest = plan.vehicles[:MOST_ROWS], plan.vehicles[MOST_ROWS:]
+    every = range(len(plan.vehicles))
+    rest = every[MOST_ROWS:]
     rows = [
         [named(one.vehicle), named(one.origin.name), named(one.destination.name), one.role,
-         *_numbers(plan, [one])]
-        for one in told
+         *_numbers(plan, [index])]
+        for index, one in enumerate(plan.vehicles[:MOST_ROWS])
     ]  # fmt: skip
     if rest:
         rows.append([f"and {len(rest):,} more", "", "", "", *_numbers(plan, rest)])
-    rows.append(["total", "", "", "", *_numbers(plan, plan.vehicles)])
+    rows.append(["total", "", "", "", *_numbers(plan, every)])
     if (timetable := plan.timetable) is not None:
         days = timetable.vehicles
         under_rules = places_pauses(timetable.rules) or any(map(rested_s, days))
@@ -103,9 +113,9 @@ def _table(plan: Plan) -> list[str]:
     return [lines[0], rule, *lines[1:-1], rule, lines[-1], ""]
 
 
-def _numbers(plan: Plan, vehicles: Sequence[VehiclePlan]) -> list[str]:
-    alone = sum(one.solo_cost for one in vehicles)
-    joint = sum(one.joint_cost for one in vehicles)
+def _numbers(plan: Plan, some: Sequence[int]) -> list[str]:
+    alone, joint = paid(plan, some)
+    vehicles = [plan.vehicles[index] for index in some]
     return [
         kilometre_equivalents(plan, alone),
         kilometre_equivalents(plan, joint),
@@ -263,7 +273,7 @@ def _proof(plan: Plan) -> list[str]:
 
 
 PARTS: tuple[Callable[[Plan], list[str]], ...] = (
-    _heading, _table, _alone, _profiles, _closed, _day, _law, _points, _access_legs, _leading,
-    _proof, _notes, _credits,
+    _heading, _table, bill_lines, _alone, _profiles, _closed, _day, _law, _points, _access_legs,
+    _leading, _proof, _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""

@@ -30,7 +30,7 @@ from platoon_osm.errors import ScenarioError
         ('network = "italy-motorways"', "", "network is missing"),
         ('case = "C"', 'case = "E"', "case 'E' is unknown; use A, B, C, D, best"),
         ('case = "C"', "case = 3", "must be a text in quotes"),
-        ('case = "C"', 'objective = "both"', "objective 'both' is unknown; use member, system"),
+        ('case = "C"', 'optimum = "both"', "optimum 'both' is unknown; use member, system"),
         ('case = "C"', 'method = "magic"', "method 'magic' is unknown; use dijkstra, astar"),
         ('case = "C"', 'master = "Z"', "master 'Z' has no trip; vehicles are A and B"),
         ('case = "C"', "[costs]\ntau = -0.5", "tau = -0.5 must be a number in [0, 1]"),

@@ -91,8 +91,11 @@ def test_options_come_before_the_scenario(capsys):
         ([*WITHOUT, "."], "it is a folder"),
         ([*WITHOUT, "trips.csv", "--case", "E"], "trips.csv: case 'E' is unknown"),
         ([*WITHOUT, "trips.csv", "--method", "x"], "method 'x' is unknown; use dijkstra, astar"),
-        ([*WITHOUT, "trips.csv", "--objective", "x"], "objective 'x' is unknown"),
-        ([*WITHOUT, "trips.csv", "--preset", "x"], "costs preset 'x' is unknown; use one of paper"),
+        ([*WITHOUT, "trips.csv", "--optimum", "x"], "optimum 'x' is unknown"),
+        (
+            [*WITHOUT, "trips.csv", "--preset", "x"],
+            "objective 'x' is unknown; use one of eu",
+        ),
         ([*WITHOUT, "trips.csv", "--cost", "tua=1"], "costs has no key 'tua'; did you mean 'tau'?"),
         ([*WITHOUT, "trips.csv", "--cost", "tau"], "write a name and a value, as tau=0.5"),
         ([*WITHOUT, "trips.csv", "--cost", "tau="], "write a name and a value, as tau=0.5"),

@@ -46,7 +46,7 @@ def test_all_there_is(tmp_path):
     assert scenario.file == tmp_path / "trip.toml"
     assert scenario.title == "Two trucks"
     assert scenario.network == {"source": "italy-motorways"}
-    assert scenario.options == {"case": "C", "objective": "system", "master": "A"}
+    assert scenario.options == {"case": "C", "optimum": "system", "master": "A"}
     assert scenario.costs == {"tau": 0.5, "mixing": "gain"}
     assert scenario.trips == (
         Trip("A", "Torino", (13.77, 45.6)),
@@ -82,7 +82,7 @@ def test_a_map_beside_the_scenario_is_found(tmp_path):
         ("case =", "cases =", "scenario has no key 'cases'; did you mean 'case'?"),
         ("case =", "zzz =", "scenario has no key 'zzz'; known are title, network"),
         ("tau =", "tua =", r"\[costs\] has no key 'tua'; did you mean 'tau'?"),
-        ("[costs]", '[costs]\npreset = "money"', "costs preset .money. is unknown; use one"),
+        ("[costs]", '[costs]\npreset = "money"', "objective .money. is unknown; use one"),
         ("[costs]", "[cost]", "scenario has no key 'cost'; did you mean 'costs'?"),
         ("[costs]\ntau = 0.5\nmixing = \"gain\"", "costs = 3", "costs must be a table"),
         ('network = "italy-motorways"', "", "network is missing; write network = "),
@@ -95,6 +95,9 @@ def test_a_map_beside_the_scenario_is_found(tmp_path):
         ('case = "C"', 'case = ""', "case = '' must be a text in quotes"),
         ('title = "Two trucks"', "title = 1979-05-27", "title = .* must be a text in quotes"),
         ('objective = "system"', "objective = true", "objective = True must be a text"),
+        ('objective = "system"', "optimum = true", "optimum = True must be a text"),
+        ('objective = "system"', 'objective = "cheap"', r"same table; give \[objective\] alone"),
+        ('objective = "system"', 'objective = "system"\noptimum = "member"', "give optimum alone"),
         ('master = "A"', 'master = ["A"]', r"master = \['A'\] must be a text"),
         ('origin = "Genova"', "", "trip 2 has no origin"),
         ('vehicle = "B"', "", "trip 2 has no vehicle"),

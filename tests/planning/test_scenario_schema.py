@@ -48,8 +48,14 @@ def test_it_knows_every_key():
     assert set(defs["trip"]["properties"]) == set(TRIP_KEYS)
     assert set(defs["place"]["oneOf"][1]["properties"]) == set(PLACE_KEYS)
     assert set(SCHEMA["properties"]["trips"]["oneOf"][1]["properties"]) == set(TABLE_KEYS)
-    paper = set(defs["costs"]["then"]["properties"]) - {"preset"}
-    assert paper == set(PRESETS["paper"].parameters)
+    for names, then in (
+        (("paper",), 0),
+        (("eu", "us"), 1),
+        (("fuel",), 2),
+    ):
+        told = set(defs["costs"]["allOf"][then]["then"]["properties"]) - {"preset"}
+        for name in names:
+            assert told == set(PRESETS[name].parameters)
     codes = defs["network"]["properties"]["country"]["enum"]
     assert set(codes) == {*laws(), *(code.lower() for code in laws())}
     assert defs["trip"]["properties"]["flexibility_min"]["maximum"] == LONGEST_MIN
@@ -142,7 +148,7 @@ WRONG = [
     (["network"], {"source": "n", "limiter_kmh": True}),
     (["network"], {"source": "n", "infer_links": "yes"}),
     (["network"], {"source": "n", "infer_links": 1}),
-    (["title"], ""), (["title"], 3), (["case"], "E"), (["case"], 1), (["objective"], "both"),
+    (["title"], ""), (["title"], 3), (["case"], "E"), (["case"], 1), (["optimum"], "both"),
     (["method"], "magic"), (["master"], ""), (["colour"], "red"), (["costs"], 3),
     (["costs"], {"tau": 2}), (["costs"], {"tau": "1"}), (["costs"], {"mixing": "none"}),
     (["rules"], ""), (["rules"], 561), (["rules"], ["eu561"]), (["task_relief"], -0.1),

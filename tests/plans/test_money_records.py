@@ -6,9 +6,10 @@ from dataclasses import replace
 import pytest
 
 import platoon_osm as po
+from platoon_osm.costs.cost_figure import CostFigure
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
-from platoon_osm.plans.bill import Bill, CostFigure, VehicleBill
+from platoon_osm.plans.bill import Bill, VehicleBill
 from platoon_osm.plans.chances import Chances, MeetingChance
 from platoon_osm.plans.gain import GainShare, GainSharing
 from platoon_osm.plans.plan import Plan

@@ -81,6 +81,10 @@ def test_version_3_says_all_but_places_between_junctions(name):
     assert now.pop("plan_version") == 7
     assert data.pop("plan_version") == 3
     assert now.pop("closed") == []
+    for share in (share for stretch in now["stretches"] for share in stretch["shares"]):
+        assert (share.pop("terms"), share.pop("alone_terms")) == ([], [])
+    for trip in now["trips"]:
+        assert (trip["alone"].pop("terms"), trip["alone"].pop("paused_s")) == ([], 0.0)
     for stretch in (*now["stretches"], *(trip["alone"] for trip in now["trips"])):
         assert stretch.pop("span") == [0.0, 1.0]
         assert stretch.pop("access") in (None, [None, None])

@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 from places import ROOT
 from random_networks import problems
 
+from platoon_osm.costs.cost_figure import CostFigure
 from platoon_osm.costs.share import Share
 from platoon_osm.driving.state import DriverState
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans import records
-from platoon_osm.plans.bill import Bill, CostFigure, VehicleBill
+from platoon_osm.plans.bill import Bill, VehicleBill
 from platoon_osm.plans.chances import Chances, MeetingChance
 from platoon_osm.plans.gain import GainShare, GainSharing
 from platoon_osm.plans.pauses import DriverDay, Pause, PausePlace

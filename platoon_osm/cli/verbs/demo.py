@@ -8,11 +8,12 @@ from pathlib import Path
 
 import click
 
+from ...costs.presets import PRESETS
 from ...driving.rules import RULES
 from ...output_paths import Output, check_outputs
 from ..exit_status import end_if_unmet
 from ..language import language_options
-from ..options import rules_named
+from ..options import objective_named, rules_named
 from ..outputs import output_kind, write_all
 from ..progress import steps
 from ..time_worth import time_worth
@@ -27,6 +28,9 @@ SCENARIOS = {
 
 LAW = {"italy-motorways": "eu561", "california-corridor": "us395"}
 """The driving rules that hold there."""
+
+MONEY = {"italy-motorways": "eu", "california-corridor": "us"}
+"""The objective whose money is paid there."""
 
 
 @click.command("demo", short_help="plan cases A to D on the bundled map and draw them")
@@ -43,13 +47,20 @@ LAW = {"italy-motorways": "eu561", "california-corridor": "us395"}
     help=f"Driving rules by which breaks and rests are planned: {', '.join(RULES)}; those of the "
     "map's country if not given.",
 )  # fmt: skip
+@click.option(
+    "--objective",
+    type=objective_named,
+    metavar="TEXT",
+    help=f"What is to be least: {', '.join(PRESETS)}; money of the map's country if not given.",
+)
 @language_options
-def verb(output: Output, network: str, rules: str | None) -> None:
+def verb(output: Output, network: str, rules: str | None, objective: str | None) -> None:
     """Plan a corridor in northern Italy in cases A to D, on the bundled map.
 
     With --map california-corridor: three trucks up the I 5 in case C, on a true extract of
     OpenStreetMap. Breaks and rests are those of the law there: of Regulation (EC) 561/2006, or of
-    49 CFR 395.3; with --rules spread-rest the paper's, with --rules none there are none.
+    49 CFR 395.3; with --rules spread-rest the paper's, with --rules none there are none. Costs are
+    euros or dollars; with --objective paper the weights of the paper, and the 18 % that it assumes.
 
     Writes demo.html, a page to open in any browser, and demo.gpkg, for a GIS; both show case C.
     """
@@ -74,6 +85,9 @@ def verb(output: Output, network: str, rules: str | None) -> None:
             scenario = replace(
                 scenario, options={**scenario.options, "rules": rules or LAW[network]}
             )
+            chosen = objective or MONEY[network]
+            if scenario.preset != chosen:
+                scenario = replace(scenario, preset=chosen, costs={})
             plans.append((scenario.title, scenario.plan(net)))
         title, plan = plans[-1]
         begin("working out what the hour is worth")

@@ -39,9 +39,9 @@ class _WithExporters(Sections):
         return [*own, *(option for option in outputs if option.opts[0] not in taken)]
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        with formatter.section('Fuel tables, for positions = "..." under [costs]'):
+        with formatter.section('Savings by position, for positions = "..." under [objective]'):
             formatter.write_dl([(table.name, table.source) for table in FUEL_SAVINGS.values()])
-        with formatter.section('Objectives, for preset = "..." under [costs]'):
+        with formatter.section('Objectives, for --objective and preset = "..." under [objective]'):
             formatter.write_dl([(preset.name, preset.about) for preset in PRESETS.values()])
         with formatter.section('Driving rules, for --rules and rules = "..."'):
             formatter.write_dl([(rules.name, rules.about) for rules in RULES.values()])

@@ -87,4 +87,9 @@ def _minds_weeks(legal: LegalQuestion, driven: Driven) -> bool:
 def _ruled(legal: LegalQuestion, plan: Plan, table: Timetable) -> Plan:
     problem = legal.question.problem
     named = replace(table, rules=problem.rules.name, task_relief=problem.task_relief)
-    return replace(plan, timetable=named)
+    stands = [own.trip.paused_s for own in legal.alone]
+    trips = tuple(
+        replace(trip, alone=replace(trip.alone, paused_s=paused_s))
+        for trip, paused_s in zip(plan.trips, stands, strict=True)
+    )
+    return replace(plan, timetable=named, trips=trips)

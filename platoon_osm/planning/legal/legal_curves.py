@@ -19,7 +19,14 @@ from ...plans.zones import clock_of
 from ..best import ONE_STRETCH
 from ..company.draft import NO_CHEAPER
 from ..question import Question
-from .conditions import ALL_TOGETHER, MEMBERS, STANDS_FOR_LAW, STANDS_LONGER, STOPPED, of_every_plan
+from .conditions import (
+    ALL_TOGETHER,
+    MEMBERS,
+    STANDS_FOR_LAW,
+    STANDS_LONGER,
+    STOPPED,
+    of_every_curve,
+)
 from .legal_question import LegalQuestion
 from .member_ways import MemberWays
 from .platoon.departure_steps import DepartureStep, steps_of_departure
@@ -117,7 +124,7 @@ def legal_curve(legal: LegalQuestion, master: int | None) -> DepartureCurve:
         float(steps[best].step.plain_s),
         float(cost[best]),
         told.complete and own_cost,
-        (kept, *stopped, ONE_STRETCH, MEMBERS, *of_every_plan(question)),
+        (kept, *stopped, ONE_STRETCH, MEMBERS, *of_every_curve(question)),
         question.problem.rules.name,
         cost - open_cost if open_cost.any() else None,
     )  # fmt: skip
@@ -225,6 +232,6 @@ def legal_frontier(legal: LegalQuestion, delays_min: Sequence[float]) -> DelayFr
         names,
         np.array(members, np.int64),
         (f"{leads} on its own route, {stands}",
-         *((STOPPED,) if stopped else ()), ONE_STRETCH, aim, *of_every_plan(question)),
+         *((STOPPED,) if stopped else ()), ONE_STRETCH, aim, *of_every_curve(question)),
         question.problem.rules.name,
     )  # fmt: skip

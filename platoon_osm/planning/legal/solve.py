@@ -67,13 +67,13 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
     # Who has no cheap route in time takes a quick one there.
     question = legal.question
 
-    def finish(planned: Planned) -> Plan:
+    def finish(planned: Planned, priced: bool = False) -> Plan:
         draft = Draft.of(planned.runs)
         master = planned.master if planned.master is not None else question.first_master
         asked = question.problem.case
         case = "C" if asked == "best" else asked
         answer = Answer(draft, draft.costs(question.fleet), case, master, planned.bound)
-        best = Best(answer, _proof(legal, planned, answer), tuple(planned.tried), ())
+        best = Best(answer, _proof(legal, planned, answer, priced), tuple(planned.tried), ())
         plan = write(question, best, reasons_alone(question, answer))
         return timed_under_law(legal, plan, planned.runs, planned.driven)
 
@@ -84,13 +84,12 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
     return replace(timed, remarks=(*timed.remarks, *_late(legal, timed), *told_quick(question)))
 
 
-def _proof(legal: LegalQuestion, planned: Planned, answer: Answer) -> Proof:
-    """Tell what is proved of a plan's cost; where time has a price, only what holds for any."""
+def _proof(legal: LegalQuestion, planned: Planned, answer: Answer, priced: bool) -> Proof:
+    """Tell what is proved of a plan's cost; where time is paid for, only what holds for any."""
     question = legal.question
     any_plan = least_total(
         question.net, question.fleet, question.node_pairs, question.least, answer.cost
     )
-    priced = not question.time_prices.are_free
     common = (*of_every_plan(question), *((TIME_PRICED,) if priced else ()))
     if len(question.ends) < 2:
         return Proof.of(answer.cost, answer.cost, common)

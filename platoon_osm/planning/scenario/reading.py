@@ -14,6 +14,7 @@ from ...plans.trip import Trip, check_one_clock
 from ...vehicles.profile import Vehicle
 from .keys import known, text_of, told
 from .network_table import beside, network_of
+from .objective_table import objective_of
 from .profiles import profiles_of
 from .record import ACCESS_LIMIT, Scenario
 from .text_file import path_of
@@ -23,11 +24,11 @@ from .trip_tables import read_trips
 
 __all__ = ["OPTION_KEYS", "read_scenario"]
 
-TEXT_KEYS = ("case", "objective", "method", "master", "company", "rules")
+TEXT_KEYS = ("case", "optimum", "method", "master", "company", "rules")
 NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT, "task_relief")
 OTHER_KEYS = ("profile", "close")
 OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS, *OTHER_KEYS)
-TOP_KEYS = ("title", "network", *OPTION_KEYS, "profiles", "costs", "trips")
+TOP_KEYS = ("title", "network", *OPTION_KEYS, "profiles", "objective", "costs", "trips")
 TABLE_KEYS = ("file", "sheet")
 
 OTHER_FILES = {
@@ -90,11 +91,8 @@ def _scenario(
 ) -> Scenario:
     known("scenario", data, TOP_KEYS)
     network = network_of(file.parent, data.get("network"))
-    costs = data.get("costs", {})
-    if not isinstance(costs, dict):
-        raise ScenarioError("costs must be a table, [costs]")
+    costs, older = objective_of(data)
     preset = PRESETS.find(costs.get("preset", DEFAULT_PRESET))
-    known("[costs]", costs, ("preset", *preset.parameters))
     return Scenario(
         file=file,
         title=text_of("title", data.get("title", file.stem)),
@@ -104,7 +102,8 @@ def _scenario(
             key: text_of(key, data[key]) if key in TEXT_KEYS else data[key]
             for key in OPTION_KEYS
             if key in data
-        },
+        }
+        | older,
         costs={key: value for key, value in costs.items() if key != "preset"},
         preset=preset.name,
         profiles=profiles,

@@ -186,7 +186,7 @@ class Scenario:
             Anything that cannot be asked.
         """
         trips = tuple(self.located(net))
-        return Problem(net, trips, self.objective(), access=self.access(), **self._options())
+        return Problem(net, trips, self.objective(), access=self.access(), **self._rules())
 
     def check(self) -> None:
         """Check all that can be checked without the network: costs, options, who is named.
@@ -199,15 +199,10 @@ class Scenario:
         with told(self.file, PlatoonError):
             # What is asked is checked where a problem is made; the least network there can be.
             road = RoadNetwork.from_edges([0], [1], lon=[0.0, 0.1], lat=[0.0, 0.0])
-            Problem(road, self.trips, self.objective(), access=self.access(), **self._options())
-
-    def _options(self) -> dict[str, Any]:
-        """Return the rules as a problem calls them."""
-        return {
-            "optimum" if key == "objective" else key: value for key, value in self._rules().items()
-        }
+            Problem(road, self.trips, self.objective(), access=self.access(), **self._rules())
 
     def _rules(self) -> dict[str, Any]:
+        """Return the options that a problem knows."""
         rules = {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
         if "profile" in rules:
             rules["profile"] = vehicle_of(rules["profile"], "profile", self.profiles)

@@ -13,7 +13,6 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from ...costs.share import Share
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
 from ...plans.records import Stretch
@@ -134,7 +133,7 @@ def _pieces(net: RoadNetwork, stretch: Stretch, cuts: Sequence[Place]) -> list[S
                 edges=edges,
                 length_m=stretch.length_m * share,
                 drive_s=ends - starts,
-                shares=tuple(_part(one, share) for one in stretch.shares),
+                shares=tuple(one.part(share) for one in stretch.shares),
                 inferred_m=sum(
                     metres
                     for metres, is_inferred in zip(driven, inferred, strict=True)
@@ -156,13 +155,3 @@ def _driven_m(lengths: Floats, begin: Place, end: Place) -> list[float]:
     else:
         some[0] *= 1 - begin[1]
     return some
-
-
-def _part(share: Share, of: float) -> Share:
-    return Share(
-        share.cost * of,
-        None if share.alone_cost is None else share.alone_cost * of,
-        share.fuel_l * of,
-        share.alone_fuel_l * of,
-        None if share.money is None else share.money * of,
-    )
