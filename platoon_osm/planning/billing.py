@@ -40,7 +40,7 @@ class Billed(Protocol):
 
     @property
     def terms(self) -> tuple[str, ...]:
-        """Names of the terms of driving, in the order of all shares."""
+        """What driving is paid for, in the order of all shares."""
         ...
 
     @property

@@ -1,16 +1,17 @@
 """Costs in money: terms, sources, what a place in a platoon is worth, and what is refused."""
 
 import math
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from platoon_osm.costs.consumption import Consumption
 from platoon_osm.costs.fuel import FUEL_SAVINGS, FuelSaving
 from platoon_osm.costs.money.driving import Driving
-from platoon_osm.costs.money.figures import GIVEN, figures_of, looked_up
+from platoon_osm.costs.money.figures import GIVEN, figures_of, looked_up, physics_of
 from platoon_osm.costs.money.fuel_costs import FuelCosts
 from platoon_osm.costs.money.objective import CURRENCIES, PRICES, MoneyCosts, money_costs
 from platoon_osm.costs.presets import PRESETS
@@ -26,9 +27,17 @@ NAMES = ("seed_18", "nrel", "nacfe", "bhoopalam", "plafosim", "eddi")
 def net():
     """Four roads of unlike speed; Germany charges by the kilometre, Italy what the map marks."""
     return RoadNetwork.from_edges(
-        [0, 1, 2, 3], [1, 2, 3, 4], [10e3, 20e3, 30e3, 40e3], speed_mps=np.array([80, 90, 60, 85]) / 3.6,
+        [0, 1, 2, 3], [1, 2, 3, 4], [10e3, 20e3, 30e3, 40e3],
+        speed_mps=np.array([80, 90, 60, 85]) / 3.6,
         lon=[9 + 0.1 * k for k in range(5)], lat=[45.0] * 5,
     )  # fmt: skip
+
+
+def test_every_figure_of_the_physics_has_a_source():
+    told = {one.name: one for one in physics_of(Consumption(drag=0.5))}
+    assert set(told) == {item.name for item in fields(Consumption)}
+    assert told["drag"].source == GIVEN
+    assert all(one.source != GIVEN for name, one in told.items() if name != "drag")
 
 
 def test_every_price_has_a_source():

@@ -10,7 +10,7 @@ a litre tank to wheel. A company drives as its slowest, so litres and seconds ar
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,13 +18,11 @@ from numpy.typing import NDArray
 from ...network.road_network import RoadNetwork
 from ...vehicles.pace import drive_times
 from ...vehicles.profile import Vehicle, vehicle_of
+from ..consumption import Consumption
 from ..share import Share
 from ..tolls.charges import due_m, toll_per_m
 
-if TYPE_CHECKING:
-    from .objective import MoneyCosts
-
-__all__ = ["TERMS", "Driving"]
+__all__ = ["TERMS", "Driving", "Prices"]
 
 Floats = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -36,13 +34,79 @@ NO_LESS = 1e-12
 """A ratio this near to 1 is 1: it differs by the last digits of sums."""
 
 
+class Prices(Protocol):
+    """What driving is paid by: figures by the names they have in `MoneyCosts`."""
+
+    @property
+    def currency(self) -> str:
+        """Of all prices, ISO 4217."""
+        ...
+
+    @property
+    def fuel_per_l(self) -> float:
+        """Of a litre."""
+        ...
+
+    @property
+    def driver_per_h(self) -> float:
+        """Of an hour of a driver."""
+        ...
+
+    @property
+    def driver_following(self) -> float:
+        """Share of that hour that is paid while following."""
+        ...
+
+    @property
+    def toll(self) -> float:
+        """Factor on the tolls of countries."""
+        ...
+
+    @property
+    def toll_unknown_per_km(self) -> float:
+        """Toll at a rate that is not known."""
+        ...
+
+    @property
+    def co2_per_t(self) -> float:
+        """Of a tonne of CO2e."""
+        ...
+
+    @property
+    def to_wheel_kg_per_l(self) -> float:
+        """CO2e of a litre, tank to wheel [kg/l]."""
+        ...
+
+    @property
+    def consumption(self) -> Consumption:
+        """How driving becomes fuel."""
+        ...
+
+    def air_saved(self, position: int, size: int) -> float:
+        """Return the share of air resistance that a place in a platoon saves.
+
+        Parameters
+        ----------
+        position : int
+            The place; 0 leads.
+        size : int
+            Vehicles in the platoon, 2 or more.
+
+        Returns
+        -------
+        float
+            The share, at most 1.
+        """
+        ...
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Driving:
     """Costs of one vehicle on one network; a `ByPlace`.
 
     Attributes
     ----------
-    costs : MoneyCosts
+    costs : Prices
         Prices, physics and savings by position.
     net : RoadNetwork
         The network.
@@ -50,7 +114,7 @@ class Driving:
         Who drives; None for the standard vehicle at whatever speed the network was loaded for.
     """
 
-    costs: MoneyCosts
+    costs: Prices
     net: RoadNetwork
     vehicle: Vehicle | None
     own_s: Floats = field(init=False)
@@ -127,8 +191,12 @@ class Driving:
 
         Parameters
         ----------
-        edges, drive_s, air_saved
-            As in `litres`.
+        edges : ndarray of int, (k,), optional
+            By default all of the network.
+        drive_s : ndarray of float, (k,), optional
+            How long each is driven [s]; by default at the vehicle's own pace.
+        air_saved : float
+            Share of air resistance that company saves.
         following : bool
             Whether it follows others.
 
