@@ -82,6 +82,11 @@ class Prices(Protocol):
         """How driving becomes fuel."""
         ...
 
+    @property
+    def told_sizes(self) -> tuple[int, ...]:
+        """Sizes of platoons whose places may save unlike shares, and one beyond."""
+        ...
+
     def air_saved(self, position: int, size: int) -> float:
         """Return the share of air resistance that a place in a platoon saves.
 
