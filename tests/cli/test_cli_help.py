@@ -76,4 +76,4 @@ def test_fuel_tables_are_listed(capsys):
     run("plan", "--help")
     out = capsys.readouterr().out
     for table in FUEL_SAVINGS.values():
-        assert re.search(rf"{table.name} .*{table.source}", out)
+        assert re.search(rf"{table.name} .*{re.escape(table.source[:40])}", out)

@@ -84,7 +84,7 @@ class Prices(Protocol):
 
     @property
     def told_sizes(self) -> tuple[int, ...]:
-        """Sizes of platoons whose places may save unlike shares, and one beyond."""
+        """How large platoons are whose places may save unlike shares, and one beyond."""
         ...
 
     def air_saved(self, position: int, size: int) -> float:

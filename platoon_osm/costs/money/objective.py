@@ -147,7 +147,7 @@ class MoneyCosts:
 
     @property
     def told_sizes(self) -> tuple[int, ...]:
-        """Sizes of platoons whose places may save unlike shares, and one beyond."""
+        """How large platoons are whose places may save unlike shares, and one beyond."""
         return tuple(range(2, max((LIKE_ANY, *self.saving.sizes)) + 2))
 
     def air_saved(self, position: int, size: int) -> float:
