@@ -25,7 +25,7 @@ WHERE = "On which network (before the scenario's)"
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
     "case", "master", "optimum", "method", "company", "max_platoon", "patience_min",
-    "access_limit_km", "rules", "task_relief",
+    "access_limit_km", "rules", "task_relief", "robust",
 )  # fmt: skip
 
 
@@ -78,6 +78,14 @@ def asked_options(verb: Run) -> Run:
         _option(
             WHAT, "--objective", "--preset", "preset",
             help="What is to be least: eu, us, fuel, paper, ...; they stand below.",
+        ),
+        _option(
+            WHAT, "--delay-spread-min", type=float,
+            help="Spread of a vehicle's delay [min]; the chance of each merge is then told.",
+        ),
+        _option(
+            WHAT, "--robust", is_flag=True, default=None,
+            help="Take the plan that is expected to save most with delays, not the cheapest.",
         ),
         _option(
             WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
@@ -135,6 +143,9 @@ def asked_scenario(scenario: Path | None, given: dict[str, Any]) -> Scenario:
         raise ScenarioError("--sheet names a sheet of --trips; give that too")
     network = _named({"source": given.pop("network")} | _taken(given, NETWORK_KEYS))
     options = _named(_taken(given, OPTION_KEYS))
+    spread = given.pop("delay_spread_min")
+    if spread is not None:
+        options["delays"] = {"spread_min": spread}
     if not options.get("close"):
         options.pop("close", None)
     costs = _costs(given.pop("costs"))

@@ -44,6 +44,12 @@ def checked_delays(
     if delays is None:
         if robust:
             raise ScenarioError("robust weighs delays; give delays too, as Delays(spread_min)")
+        named = [trip.vehicle for trip in trips if trip.delay_spread_min is not None]
+        if named:
+            raise ScenarioError(
+                f"trip {named[0]!r} names delay_spread_min, but nothing is said of the others; "
+                "give delays too, with spread_min"
+            )
         return None
     if not isinstance(delays, Delays):
         raise ScenarioError(f"delays is a {kind_of(delays)}; make it Delays(spread_min)")

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from ..driving.rules import places_pauses
 from ..shown_text import fitted
 from .bill_lines import bill_lines
+from .chance_lines import chance_lines
 from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
 from .credits import credits_of
@@ -163,6 +164,10 @@ def _points(plan: Plan) -> list[str]:
     ])  # fmt: skip
 
 
+def _chances(plan: Plan) -> list[str]:
+    return _first(chance_lines(plan))
+
+
 def _access_legs(plan: Plan) -> list[str]:
     return _first([line for vehicle in plan.vehicles for line in _access(vehicle)])
 
@@ -273,7 +278,7 @@ def _proof(plan: Plan) -> list[str]:
 
 
 PARTS: tuple[Callable[[Plan], list[str]], ...] = (
-    _heading, _table, bill_lines, _alone, _profiles, _closed, _day, _law, _points, _access_legs,
-    _leading, _proof, _notes, _credits,
+    _heading, _table, bill_lines, _alone, _profiles, _closed, _day, _law, _points, _chances,
+    _access_legs, _leading, _proof, _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""

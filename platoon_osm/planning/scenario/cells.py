@@ -14,7 +14,7 @@ from ...errors import ScenarioError
 from ...plans.trip import TIMES
 from .cell_values import number_in, text_in, whole_in
 from .driver_cells import DRIVER_COLUMNS, driver_of
-from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE
+from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE, SPREAD
 
 __all__ = ["COLUMNS", "MAIN_COLUMNS", "PARTS", "column_named", "is_blank", "row_of"]
 
@@ -22,7 +22,7 @@ PARTS = ("lon", "lat", "osmid", "label")
 SIZES = ("height_m", "width_m", "length_m", "mass_t", "rating_t", "axle_load_t", "limiter_kmh")
 """What a row may say of its vehicle besides, or in place of, the name of a profile."""
 MAIN_COLUMNS = (
-    "vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, *SIZES,
+    "vehicle", *PLACES, *TIMES, FLEXIBILITY, SPREAD, PROFILE, *SIZES,
     *(f"{end}_{part}" for end in PLACES for part in PARTS), "drivers",
 )  # fmt: skip
 """Those that messages list."""
@@ -92,8 +92,9 @@ def row_of(where: str, cells: Mapping[str, Any]) -> dict[str, Any]:
     for end in PLACES:
         row[end] = _place(where, end, given)
     row |= {key: given[key] for key in TIMES if key in given}
-    if FLEXIBILITY in given:
-        row[FLEXIBILITY] = number_in(f"{where}: {FLEXIBILITY}", given[FLEXIBILITY], "minutes")
+    for key in (FLEXIBILITY, SPREAD):
+        if key in given:
+            row[key] = number_in(f"{where}: {key}", given[key], "minutes")
     sizes = {
         key: number_in(f"{where}: {key}", given[key], UNITS[key.rpartition("_")[2]])
         for key in SIZES

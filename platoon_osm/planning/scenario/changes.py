@@ -66,11 +66,14 @@ def changed(
         scenario = Scenario(table, table.stem, {}, trips, files=(Path(table),))
     chosen = PRESETS.find(scenario.preset if preset is None else preset)
     known("costs", costs, chosen.parameters)
+    both = {**scenario.options, **options}
+    if "delays" in options and isinstance(scenario.options.get("delays"), Mapping):
+        both["delays"] = {**scenario.options["delays"], **options["delays"]}
     kept = scenario.costs if chosen.name == scenario.preset else {}
     return replace(
         scenario,
         network={**scenario.network, **network},
-        options={**scenario.options, **options},
+        options=both,
         costs={**kept, **costs},
         preset=chosen.name,
     )

@@ -12,14 +12,16 @@ from ...errors import PlatoonError, ScenarioError, brief
 from ...plans.trip import TIMES
 
 __all__ = [
-    "DRIVER", "FLEXIBILITY", "PLACES", "PROFILE", "TRIP_KEYS", "hint", "known", "text_of", "told",
+    "DRIVER", "FLEXIBILITY", "PLACES", "PROFILE", "SPREAD", "TRIP_KEYS", "hint", "known",
+    "text_of", "told",
 ]  # fmt: skip
 
 PLACES = ("origin", "destination")
 FLEXIBILITY = "flexibility_min"
 PROFILE = "profile"
 DRIVER = "driver"
-TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, DRIVER)
+SPREAD = "delay_spread_min"
+TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, DRIVER, SPREAD)
 """What a trip may say, in TOML as in tables; vehicle, origin and destination it must say."""
 
 

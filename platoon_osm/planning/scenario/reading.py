@@ -26,7 +26,7 @@ __all__ = ["OPTION_KEYS", "read_scenario"]
 
 TEXT_KEYS = ("case", "optimum", "method", "master", "company", "rules")
 NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT, "task_relief")
-OTHER_KEYS = ("profile", "close")
+OTHER_KEYS = ("profile", "close", "delays", "robust")
 OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS, *OTHER_KEYS)
 TOP_KEYS = ("title", "network", *OPTION_KEYS, "profiles", "objective", "costs", "trips")
 TABLE_KEYS = ("file", "sheet")

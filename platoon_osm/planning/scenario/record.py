@@ -20,6 +20,7 @@ from ...vehicles.profile import Vehicle, vehicle_of
 from ..ends import located
 from ..joint import plan_joint
 from ..problem import Problem
+from .delays_table import delays_of
 from .keys import told
 
 __all__ = ["ACCESS_LIMIT", "Scenario"]
@@ -206,4 +207,6 @@ class Scenario:
         rules = {key: value for key, value in self.options.items() if key != ACCESS_LIMIT}
         if "profile" in rules:
             rules["profile"] = vehicle_of(rules["profile"], "profile", self.profiles)
+        if "delays" in rules:
+            rules["delays"] = delays_of(rules["delays"])
         return rules

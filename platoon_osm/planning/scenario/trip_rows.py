@@ -13,7 +13,7 @@ from ...network.location import Place
 from ...plans.trip import TIMES, Trip
 from ...vehicles.profile import NO_VEHICLES, Vehicle, vehicle_of
 from .clock_texts import moment
-from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE, TRIP_KEYS, known, text_of
+from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE, SPREAD, TRIP_KEYS, known, text_of
 
 __all__ = ["trip_of"]
 
@@ -51,8 +51,9 @@ def trip_of(where: str, row: Any, profiles: Mapping[str, Vehicle] = NO_VEHICLES)
     vehicle = text_of(f"{where}: vehicle", row["vehicle"])
     origin, destination = (_place(f"{where}: {end}", row[end]) for end in PLACES)
     more: dict[str, Any] = {key: moment(f"{where}: {key}", row[key]) for key in TIMES if key in row}
-    if FLEXIBILITY in row:
-        more[FLEXIBILITY] = _minutes(f"{where}: {FLEXIBILITY}", row[FLEXIBILITY])
+    for key in (FLEXIBILITY, SPREAD):
+        if key in row:
+            more[key] = _minutes(f"{where}: {key}", row[key])
     if PROFILE in row:
         more[PROFILE] = vehicle_of(row[PROFILE], f"{where}: {PROFILE}", profiles)
     if DRIVER in row:
