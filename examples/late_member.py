@@ -13,7 +13,7 @@ from datetime import datetime
 import platoon_osm as po
 
 SIX = datetime(2026, 3, 3, 6)
-SPREADS_MIN = (2, 5, 10, 20, 40)
+SPREADS_MIN = (5, 10, 20)
 
 
 def main():

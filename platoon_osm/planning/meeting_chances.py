@@ -33,6 +33,7 @@ from ..errors import ScenarioError
 from ..kinds import kind_of
 from ..plans.chances import Chances, MeetingChance
 from ..plans.plan import Plan
+from ..plans.standing import rested_s
 from ..plans.timetable import VehicleTimes
 from .course import Course, Merge, course_of
 from .late_days import LateDays, played
@@ -230,9 +231,9 @@ class _Simulation:
         if self.prices.waiting:
             saved = saved - self.prices.waiting * days.waited_s.sum(axis=0)
         if self.prices.delay:
-            for k, (own, trip) in enumerate(zip(self._times, self.plan.trips, strict=True)):
+            for k, own in enumerate(self._times):
                 if own.earliest_departure_s is not None:
-                    alone = own.earliest_departure_s + trip.alone.time_s
+                    alone = own.earliest_departure_s + self._alone_s(k)
                     over = np.maximum(days.arrival_s[k] - late[k] - alone, 0.0)
                     saved = saved - self.prices.delay * over
         return saved
@@ -252,15 +253,19 @@ class _Simulation:
 
     def _limit(self, vehicle: int) -> float:
         """Return when a vehicle is there at the latest, by its trip or its patience."""
-        own, alone_s = self._times[vehicle], self.plan.trips[vehicle].alone.time_s
+        own = self._times[vehicle]
         if own.latest_arrival_s is not None:
             return float(own.latest_arrival_s)
         assert self.plan.timetable is not None
-        until = self.plan.timetable.patient_until_s(vehicle, alone_s)
+        until = self.plan.timetable.patient_until_s(vehicle, self._alone_s(vehicle))
         if until is None:
             patience = self.plan.timetable.patience_s
             until = own.arrival_s + (60.0 * PATIENCE_MIN if patience is None else patience)
         return float(until)
+
+    def _alone_s(self, vehicle: int) -> float:
+        """Return how long a vehicle takes alone, with as much rest as it has in the plan [s]."""
+        return self.plan.trips[vehicle].alone.time_s + rested_s(self._times[vehicle])
 
     def _price(self, vehicles: Sequence[int]) -> float:
         """Return what a second's waiting costs some vehicles."""

@@ -26,14 +26,14 @@ def priced(waiting, delay=0.0):
     return SimpleNamespace(waiting=lambda s: waiting * s, delay=lambda s: delay * s)
 
 
-def corridor(seed, vehicles=4, nodes=6):
+def corridor(seed, vehicles=4, nodes=6, longer=1.0, **options):
     """A plan of vehicles that come onto one road and leave it at places of their own."""
     rng = np.random.default_rng(seed)
     road = [(k, k + 1) for k in range(nodes - 1)]
     feeders = [(nodes + k, k) for k in range(nodes)]
     exits = [(k, 2 * nodes + k) for k in range(nodes)]
     ends = sorted([*road, *feeders, *exits])
-    length = [float(rng.uniform(2e4, 6e4)) for _ in ends]
+    length = [longer * float(rng.uniform(2e4, 6e4)) for _ in ends]
     net = network([a for a, _ in ends], [b for _, b in ends], length)
     trips = []
     for k in range(vehicles):
@@ -47,7 +47,7 @@ def corridor(seed, vehicles=4, nodes=6):
             )
         )  # fmt: skip
     costs = po.PaperCosts(positions="plafosim") if rng.random() < 0.5 else po.PaperCosts()
-    return po.plan_joint(net, po.paper_weights(net, costs), trips)
+    return po.plan_joint(net, po.paper_weights(net, costs), trips, **options)
 
 
 def pair(seed=3):
@@ -162,6 +162,18 @@ def test_if_nobody_is_late_the_plan_comes_out(seed):
     planned = [times.arrival_s for times in plan.times]
     assert np.allclose(days.arrival_s[:, 0], planned, atol=0.01)
     assert np.allclose(days.paid[:, 0], [vehicle.joint_cost for vehicle in plan.vehicles])
+
+
+def test_breaks_keep_their_length_and_are_no_wait():
+    plan = corridor(5, 3, longer=2.2, rules="eu561")
+    assert merges(plan)
+    assert any(pause.is_break for times in plan.times for pause in times.pauses)
+    days = played(plan, course_of(plan), np.array([[0.0, 600.0]] * 3))
+    planned = [times.arrival_s for times in plan.times]
+    assert np.allclose(days.arrival_s[:, 0], planned, atol=0.01)
+    assert np.allclose(days.arrival_s[:, 1], np.array(planned) + 600, atol=0.01)  # all are late
+    for one in po.simulate_delays(plan, po.Delays(5), runs=100).chances.meetings:
+        assert one.window_s > 60
 
 
 # -- closed forms and counts -----------------------------------------------------------------------
