@@ -11,6 +11,7 @@ from .offers import offer
 
 if TYPE_CHECKING:
     from .chance.delays import Delays
+    from .costs.break_even import BreakEven, break_even
     from .costs.fatigue import FatigueModel
     from .costs.fuel import FUEL_SAVINGS, FuelSaving
     from .costs.money.fuel_costs import FuelCosts
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
     from .plans.vehicles import VehiclePlan
+    from .report.charts.break_even_figure import write_break_even
     from .report.charts.curve_figures import write_curve
     from .report.charts.figures import write_figures
     from .report.exports.gis import to_geodataframe, write_geopackage
@@ -59,6 +61,8 @@ if TYPE_CHECKING:
     from .study.settings import PAPER_STUDY, Study
 
 _WHERE = {
+    "BreakEven": "costs.break_even",
+    "break_even": "costs.break_even",
     "FatigueModel": "costs.fatigue",
     "FUEL_SAVINGS": "costs.fuel",
     "FuelSaving": "costs.fuel",
@@ -108,6 +112,7 @@ _WHERE = {
     "write_sheets": "report.sheets.write",
     "explore": "report.pages.page",
     "write_comparison": "report.pages.comparison",
+    "write_break_even": "report.charts.break_even_figure",
     "write_curve": "report.charts.curve_figures",
     "write_csv": "report.exports.tracks",
     "write_figures": "report.charts.figures",
@@ -126,6 +131,7 @@ __all__ = [
     "FUEL_SAVINGS",
     "PAPER_STUDY",
     "Access",
+    "BreakEven",
     "DelayFrontier",
     "Delays",
     "DelaysSimulated",
@@ -157,6 +163,7 @@ __all__ = [
     "Trip",
     "VehiclePlan",
     "__version__",
+    "break_even",
     "delay_frontier",
     "departure_curve",
     "explore",
@@ -175,6 +182,7 @@ __all__ = [
     "solve",
     "stops_along",
     "to_geodataframe",
+    "write_break_even",
     "write_comparison",
     "write_csv",
     "write_curve",

@@ -90,6 +90,11 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "problem": given["timed"], "delays_min": [0.0, 60.0], "rules": "none",
         }),
         "write_curve": (po.write_curve, {"curve": given["curve"]}),
+        "break_even": (po.break_even, {
+            "costs": po.PaperCosts(), "vehicle": "eu-40t", "size": 2, "speed_kmh": 80.0,
+            "optimum": "member",
+        }),
+        "write_break_even": (po.write_break_even, {"found": po.break_even(po.PaperCosts())}),
         "place_table": (po.place_table, {
             "net": net, "origins": ["Torino"], "destinations": ["Trieste"], "measure": "km",
         }),
@@ -148,7 +153,7 @@ def _places(name: str) -> list[str]:
     """Return where a call writes: GPX tracks into a folder that exists, all others to a file."""
     if not name.startswith("write_"):
         return []
-    kind = ".svg" if name == "write_curve" else ""
+    kind = ".svg" if name in ("write_curve", "write_break_even") else ""
     return ["." if name == "write_gpx" else f"out-{name}{kind}"]
 
 
@@ -165,7 +170,8 @@ NAMES = (
     "FatigueModel.along", "EdgeWeights", "RandomNetwork", "RoadTrips", "Study", "run_study",
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",
     "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage", "write_sheets",
-    "write_pages", "departure_curve", "delay_frontier", "write_curve",
+    "write_pages", "departure_curve", "delay_frontier", "write_curve", "break_even",
+    "write_break_even",
 )  # fmt: skip
 
 

@@ -260,6 +260,31 @@ class PaperCosts:
         more = self.saving(position) - self.saving("follower")
         return factor - self.xi * more
 
+    def per_km(self, vehicle: object, position: int, size: int, speed_kmh: float) -> float:
+        """Return what a vehicle pays for a kilometre.
+
+        Parameters
+        ----------
+        vehicle : object
+            Not looked at: in the paper all vehicles are alike.
+        position : int
+            Its place; 0 leads.
+        size : int
+            Vehicles in the platoon; 1 is alone.
+        speed_kmh : float
+            Not looked at: in the paper all drive at the cruising speed.
+
+        Returns
+        -------
+        float
+            Metre equivalents a kilometre.
+        """
+        del vehicle, speed_kmh
+        if size < 2:
+            return 1000 * self.solo_factor()
+        place: Position = "leader" if not position else "last" if position == size - 1 else "middle"
+        return 1000 * self.platoon_factor(place)
+
     def _factor(self, role: Role) -> float:
         return sum(term.per_metre[role] for term in self.terms())
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, fields, replace
 from typing import Any, ClassVar
 
 from ...network.road_network import RoadNetwork
+from ...vehicles.profile import Vehicle
 from ..consumption import Consumption
 from ..fuel import FuelSaving, fuel_saving
 from ..weights import EdgeWeights
@@ -62,12 +63,7 @@ class FuelCosts:
         EdgeWeights
             Litres [l].
         """
-        # Where a litre costs one and all else nothing, costs are litres.
-        litres = MoneyCosts(
-            "eu", 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-            positions=self.positions, consumption=self.consumption,
-        )  # fmt: skip
-        found = litres.weights(net, vehicle)
+        found = self._priced().weights(net, vehicle)
         return replace(found, unit=self.unit, params=self.params)
 
     def waiting(self, seconds: float) -> float:
@@ -85,6 +81,34 @@ class FuelCosts:
         """
         del seconds
         return 0.0
+
+    def per_km(
+        self, vehicle: Vehicle | str | None, position: int, size: int, speed_kmh: float
+    ) -> float:
+        """Return what a kilometre of level road takes.
+
+        Parameters
+        ----------
+        vehicle : Vehicle or str or None
+            Who drives; None for the standard vehicle.
+        position, size : int
+            Its place in a company of that many; 0 leads.
+        speed_kmh : float
+            How fast [km/h].
+
+        Returns
+        -------
+        float
+            Litres [l].
+        """
+        return self._priced().per_km(vehicle, position, size, speed_kmh)
+
+    def _priced(self) -> MoneyCosts:
+        """Return prices under which costs are litres: one costs one, and all else nothing."""
+        return MoneyCosts(
+            "eu", 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            positions=self.positions, consumption=self.consumption,
+        )  # fmt: skip
 
 
 def fuel_costs(**params: Any) -> FuelCosts:
