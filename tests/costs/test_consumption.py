@@ -1,9 +1,12 @@
 """Litres by physics, against published consumption and against a sum over pieces of road."""
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from places import ROOT
 
 from platoon_osm.costs.climb_fuel import ClimbFuel
 from platoon_osm.costs.consumption import Consumption
@@ -52,6 +55,14 @@ def test_how_far_the_formula_is_from_other_figures():
     assert defra_l == pytest.approx(35.93, abs=0.005)
     british = FUEL.per_100km(truck(DEFRA_T), 80.0)
     assert off(british, defra_l) == pytest.approx(-0.2481, abs=0.0005)
+    told = (ROOT / "docs" / "money.md").read_text(encoding="utf-8")
+    usual = FUEL.per_100km()
+    for found, published in (
+        (usual, ICCT_L), (lighter, ICCT_L), (lighter, ICCT_BEST_L), (british, defra_l),
+    ):  # fmt: skip
+        row = rf"\| {found:.1f} \| {published:.1f}: .* \| {100 * off(found, published):+.1f} % \|"
+        assert re.search(row.replace("+", r"\+"), told), row
+    assert f"{FUEL.per_100km(speed_kmh=90.0):.1f} l/100 km at 90 km/h" in told
 
 
 def test_the_default_truck_by_hand():
