@@ -1,6 +1,8 @@
 """The bill of a plan: to the cent, term by term, against sums made by hand and published ranges."""
 
+from dataclasses import replace
 from datetime import datetime
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,10 +15,12 @@ from platoon_osm.costs.money.fuel_costs import FuelCosts
 from platoon_osm.costs.money.objective import MoneyCosts, money_costs
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.planning.joint import plan_joint
+from platoon_osm.planning.scenario.reading import read_scenario
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.standing import standing
 from platoon_osm.vehicles.profile import vehicle_of
 
+SCENARIOS = Path(po.__file__).parent / "scenarios"
 SIX = datetime(2026, 3, 3, 6)
 
 
@@ -170,3 +174,16 @@ def test_the_bill_names_the_tolls_of_the_countries_on_its_way():
     assert (told["toll_DE"].value, told["toll_AT"].value) == (0.348, 0.5317)
     assert "ASFINAG" in told["toll_AT"].source
     assert bill.of_term("toll") == (34_80 + 53_17, 34_80 + 53_17)
+
+
+def test_the_papers_weights_are_one_option_away():
+    """The same trips in euros, as measured, and with the 18 % that the paper assumes."""
+    italy = po.load_network("italy-motorways")
+    asked = read_scenario(SCENARIOS / "four-to-the-south.toml")
+    euros = asked.plan(italy)
+    paper = replace(asked, preset="paper", costs={}).plan(italy)
+    assert (euros.unit, euros.params["positions"]) == ("EUR", "eddi")
+    assert 0.005 < euros.saving < 0.02
+    assert euros.bill.saved_fuel_l / sum(one.alone_fuel_l for one in euros.bill.vehicles) < 0.03
+    assert paper.bill is None
+    assert paper.saving > 0.15

@@ -21,7 +21,7 @@ from ..time_worth import time_worth
 __all__ = ["verb"]
 
 SCENARIOS = {
-    "italy-motorways": ("po-valley-a", "po-valley-b", "po-valley-d", "po-valley-c"),
+    "italy-motorways": ("po-valley-a", "po-valley-b", "po-valley-d", "four-to-the-south"),
     "california-corridor": ("san-diego-to-redding",),
 }
 """By map. Case C comes last: its plan is the one that is written."""
@@ -55,10 +55,10 @@ MONEY = {"italy-motorways": "eu", "california-corridor": "us"}
 )
 @language_options
 def verb(output: Output, network: str, rules: str | None, objective: str | None) -> None:
-    """Plan a corridor in northern Italy in cases A to D, on the bundled map.
+    """Plan trips in Italy in cases A to D, on the bundled map.
 
-    With --map california-corridor: three trucks up the I 5 in case C, on a true extract of
-    OpenStreetMap. Breaks and rests are those of the law there: of Regulation (EC) 561/2006, or of
+    Case C is four trucks to Roma and Napoli; with --map california-corridor it is three trucks up
+    the I 5, on a true extract of OpenStreetMap. Breaks and rests are those of the law there: of Regulation (EC) 561/2006, or of
     49 CFR 395.3; with --rules spread-rest the paper's, with --rules none there are none. Costs are
     euros or dollars; with --objective paper the weights of the paper, and the 18 % that it assumes.
 

@@ -67,13 +67,13 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
     # Who has no cheap route in time takes a quick one there.
     question = legal.question
 
-    def finish(planned: Planned, priced: bool = False) -> Plan:
+    def finish(planned: Planned, free: Planned | None = None) -> Plan:
         draft = Draft.of(planned.runs)
         master = planned.master if planned.master is not None else question.first_master
         asked = question.problem.case
         case = "C" if asked == "best" else asked
         answer = Answer(draft, draft.costs(question.fleet), case, master, planned.bound)
-        best = Best(answer, _proof(legal, planned, answer, priced), tuple(planned.tried), ())
+        best = Best(answer, _proof(legal, planned, answer, free), tuple(planned.tried), ())
         plan = write(question, best, reasons_alone(question, answer))
         return timed_under_law(legal, plan, planned.runs, planned.driven)
 
@@ -84,26 +84,42 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
     return replace(timed, remarks=(*timed.remarks, *_late(legal, timed), *told_quick(question)))
 
 
-def _proof(legal: LegalQuestion, planned: Planned, answer: Answer, priced: bool) -> Proof:
-    """Tell what is proved of a plan's cost; where time is paid for, only what holds for any."""
+def _proof(legal: LegalQuestion, planned: Planned, answer: Answer, free: Planned | None) -> Proof:
+    """Tell what is proved of a plan's cost.
+
+    Where time is paid for, whatever was planned without its prices (`free`) costs no more before
+    it is paid, so its bounds hold.
+    """
     question = legal.question
     any_plan = least_total(
         question.net, question.fleet, question.node_pairs, question.least, answer.cost
     )
-    common = (*of_every_plan(question), *((TIME_PRICED,) if priced else ()))
+    common = (*of_every_plan(question), *((TIME_PRICED,) if free is not None else ()))
     if len(question.ends) < 2:
         return Proof.of(answer.cost, answer.cost, common)
     stopped = (STOPPED,) if planned.unfinished else ()
-    if priced or planned.bound is None or planned.waiting_bound is None:
-        return _proved(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
+    asked = planned if free is None else free
+    aim = ALL_TOGETHER if question.problem.optimum == "system" else MEMBERS
+    any_way = _proved(answer.cost, any_plan, (ANY_WAY, *stopped, *common), any_plan)
+    if asked.bound is None or asked.waiting_bound is None:
+        return any_way
+    if free is not None:
+        if asked.waiting_bound <= any_plan:
+            return any_way
+        fixed = question.fixed_master
+        leads = "a master" if fixed is None else f"master {question.ends[fixed].vehicle}"
+        whose = (f"{leads} on its own route, {STANDS_LONGER}", ONE_STRETCH, aim)
+        least = min(asked.waiting_bound, answer.cost)
+        return _proved(answer.cost, least, (*whose, *common), any_plan)
     name = question.ends[answer.master or 0].vehicle
     tried = f"{planned.masters} of {planned.masters} masters tried"
     compared = (tried,) if question.fixed_master is None else ()
+    assert planned.bound is not None
+    assert planned.waiting_bound is not None
     bound, stands = planned.bound, STANDS_FOR_LAW
     if planned.waits or planned.waiting_bound >= answer.cost * (1 - NO_CHEAPER):
         bound, stands = planned.waiting_bound, STANDS_LONGER
     kept = f"master {name} on its own route, {stands}"
-    aim = ALL_TOGETHER if question.problem.optimum == "system" else MEMBERS
     who = (kept, *compared, *stopped, ONE_STRETCH, aim)
     return _proved(answer.cost, min(bound, answer.cost), (*who, *common), any_plan)
 

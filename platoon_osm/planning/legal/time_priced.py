@@ -54,7 +54,9 @@ def time_cost(legal: LegalQuestion, plan: Plan) -> float:
     return total
 
 
-def least_with_time(legal: LegalQuestion, finish: Callable[[Planned, bool], Plan]) -> Plan:
+def least_with_time(
+    legal: LegalQuestion, finish: Callable[[Planned, Planned | None], Plan]
+) -> Plan:
     """Return the plan that costs least with its waiting and delay.
 
     Parameters
@@ -62,24 +64,25 @@ def least_with_time(legal: LegalQuestion, finish: Callable[[Planned, bool], Plan
     legal : LegalQuestion
         What is asked, with its law.
     finish : callable
-        Writes a plan with its times, and what is proved of it, with prices of time or without.
+        Writes a plan with its times and what is proved of it; where time is paid for, beside what
+        was planned without its prices.
 
     Returns
     -------
     Plan
         With its times; its cost leaves both out.
     """
-    planned = planned_platoons(legal)
-    plan = finish(planned, False)
+    free = planned = planned_platoons(legal)
+    plan = finish(planned, None)
     time = time_cost(legal, plan)
     if time <= NOTHING * planned.cost:
         return plan
-    best, least = finish(planned, True), planned.cost + time
+    best, least = finish(planned, free), planned.cost + time
     for limit_s in DELAYS_S:
         if limit_s >= _longest_delay_s(legal, plan):
             continue  # the plan at hand is within it
         planned = planned_platoons(legal.hurried(limit_s))
-        plan = finish(planned, True)
+        plan = finish(planned, free)
         time = time_cost(legal, plan)
         if planned.cost + time < least:
             best, least = plan, planned.cost + time
@@ -88,7 +91,7 @@ def least_with_time(legal: LegalQuestion, finish: Callable[[Planned, bool], Plan
     planned = alone_plan(legal)
     if planned.cost >= least:
         return best
-    plan = finish(planned, True)
+    plan = finish(planned, free)
     return plan if planned.cost + time_cost(legal, plan) < least else best
 
 
