@@ -26,7 +26,7 @@ WALLS = {
     "search/hierarchy": ("runtime", "preparing", "sweeping", "fused"),
     "costs": ("tolls", "money"),
     "driving": ("bans",),
-    "planning": ("timing", "company", "legal", "scenario"),
+    "planning": ("timing", "company", "rotation", "legal", "scenario"),
     "planning/legal": ("driver", "platoon"),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",

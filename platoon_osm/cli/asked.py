@@ -24,7 +24,7 @@ WHERE = "On which network (before the scenario's)"
 
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
-    "case", "master", "optimum", "method", "company", "max_platoon", "patience_min",
+    "case", "master", "optimum", "method", "company", "lead", "max_platoon", "patience_min",
     "access_limit_km", "rules", "task_relief", "robust",
 )  # fmt: skip
 
@@ -50,6 +50,7 @@ def asked_options(verb: Run) -> Run:
         _option(WHAT, "--optimum", help="Whose cost is least: member or system."),
         _option(WHAT, "--method", help="dijkstra (exact) or astar (the paper's)."),
         _option(WHAT, "--company", help="Platoons anywhere, or with the master alone."),
+        _option(WHAT, "--lead", help="Who leads: master, or rotated for all in turns."),
         _option(WHAT, "--max-platoon", type=int, help="Vehicles of the largest platoon."),
         _option(
             WHAT, "--patience-min", type=float,

@@ -34,11 +34,12 @@ from .company.platoons import platoons_of
 from .masters import choices_of
 from .meeting_chances import with_chances
 from .place_remarks import with_place_remarks
-from .problem import Company, Optimum, Problem, check_choice
+from .problem import Company, Lead, Optimum, Problem, check_choice
 from .question import Question
 from .quick_alone import told_quick
 from .reasons import reasons_alone
 from .robust import most_robust
+from .rotation.rotated import with_rotated_lead
 from .routers import AstarRouter, Method
 from .rules_told import with_rules
 from .star import Star
@@ -79,6 +80,7 @@ def plan_joint(
     task_relief: float = 0.0,
     delays: Delays | None = None,
     robust: bool = False,
+    lead: Lead = "master",
     objective: Optimum | None = None,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
@@ -129,6 +131,9 @@ def plan_joint(
         How late vehicles may be; the plan then tells how likely each merge is.
     robust : bool
         Whether to take the plan that is expected to save most with these, not the cheapest.
+    lead : {"master", "rotated"}
+        Who leads: the master wherever it is, or all in turns, handed on at junctions so that each
+        leads its fair share.
     objective : {"member", "system"}, optional
         What `optimum` was called before; it counts if given.
 
@@ -164,6 +169,7 @@ def plan_joint(
             optimum=optimum, engine=engine, access=access, company=company,
             max_platoon=max_platoon, patience_min=patience_min, profile=profile, close=shut,
             rules=law, task_relief=task_relief, delays=delays, robust=robust,
+            lead=lead,
         )
     )  # fmt: skip
 
@@ -225,6 +231,8 @@ def solve(problem: Problem) -> Plan:
     else:
         plan = timed(_by_astar(question))
     plan = with_waits_at_parkings(plan, network_below(net), vehicles)
+    if problem.lead == "rotated":
+        plan = with_rotated_lead(plan, net, question.fleet)
     if problem.delays is not None:
         plan = with_chances(plan, problem.delays, problem.objective)
     plan = with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)

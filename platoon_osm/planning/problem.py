@@ -25,10 +25,11 @@ from .master import LONGEST
 from .routers import Method
 from .timing.limits import PATIENCE_MIN
 
-__all__ = ["Company", "Optimum", "Problem"]
+__all__ = ["Company", "Lead", "Optimum", "Problem"]
 
 Optimum = Literal["member", "system"]
 Company = Literal["anywhere", "master"]
+Lead = Literal["master", "rotated"]
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -83,6 +84,9 @@ class Problem:
         name themselves are in it, too.
     robust : bool
         Whether the plan that is expected to save most with these delays is taken, not the cheapest.
+    lead : {"master", "rotated"}
+        Who leads: the master wherever it is, or all in turns, so that each leads its fair share;
+        see `planning.rotation`.
 
     Raises
     ------
@@ -108,6 +112,7 @@ class Problem:
     close: tuple[Any, ...] = ()
     delays: Delays | None = None
     robust: bool = False
+    lead: Lead = "master"
 
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
@@ -123,6 +128,7 @@ class Problem:
             ("method", self.method, get_args(Method)),
             ("engine", self.engine, get_args(EngineName)),
             ("company", self.company, get_args(Company)),
+            ("lead", self.lead, get_args(Lead)),
         ):
             check_choice(label, value, allowed)
         object.__setattr__(self, "rules", rules_of(self.rules))
@@ -175,6 +181,11 @@ class Problem:
         if self.method != "dijkstra":
             raise ScenarioError(
                 f"driving rules {name!r} are beyond the paper's A*; use method dijkstra"
+            )
+        if self.task_relief and self.lead == "rotated":
+            raise ScenarioError(
+                "lead 'rotated' and task_relief are not planned together, for the clock of who "
+                "comes to lead would run on; use lead master, or task_relief 0"
             )
         if not any(trip.times for trip in self.trips):
             raise ScenarioError(

@@ -10,6 +10,7 @@ from ..errors import ScenarioError, brief
 from .law_lines import place_text
 from .pauses import Pause
 from .plan import Plan
+from .positions import positions_of
 from .standing import standing
 
 if TYPE_CHECKING:
@@ -27,10 +28,10 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
     ----------
     plan : Plan
         Any.
-    what : {"vehicles", "stretches", "points", "timetable", "pauses"}
+    what : {"vehicles", "stretches", "points", "positions", "timetable", "pauses"}
         One row for each vehicle; for each vehicle on each stretch of one company; for each start,
-        merge, separation and destination; for each vehicle on each stretch, with its times; or for
-        each time that a vehicle stands on its way.
+        merge, separation and destination; for each vehicle and position in a company; for each
+        vehicle on each stretch, with its times; or for each time that a vehicle stands on its way.
 
     Returns
     -------
@@ -124,6 +125,23 @@ def _points(plan: Plan) -> Iterator[Row]:
                 }
 
 
+def _positions(plan: Plan) -> Iterator[Row]:
+    clock = plan.timetable.clock.start if plan.timetable is not None else None
+    for span in positions_of(plan):
+        row: Row = {
+            "vehicle": plan.trips[span.vehicle].vehicle,
+            "position": span.position,
+            "company_size": span.size,
+            "from_km": span.from_m / 1000,
+            "to_km": span.to_m / 1000,
+            "place": span.place,
+        }
+        if clock is not None and span.start_s is not None and span.end_s is not None:
+            row["start"] = clock + timedelta(seconds=span.start_s)
+            row["end"] = clock + timedelta(seconds=span.end_s)
+        yield row
+
+
 def _timetable(plan: Plan) -> Iterator[Row]:
     assert plan.timetable is not None
     # Seconds count from a moment with a fixed offset, so sums of them never pass a clock change.
@@ -189,6 +207,7 @@ FRAMES = {
     "vehicles": _vehicles,
     "stretches": _stretches,
     "points": _points,
+    "positions": _positions,
     "timetable": _timetable,
     "pauses": _pauses,
 }

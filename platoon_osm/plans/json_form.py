@@ -1,9 +1,10 @@
 """A plan as plain JSON types, and back; docs/plan.schema.json describes the form.
 
-Version 7 is the record itself. Version 6 knew no bill, no shares of the gain and no chances,
-version 5 no pauses and no drivers, version 4 did not tell what vehicles are like, version 3 knew no
-places between junctions or beside the road; all are read as they stand. Versions 1 and 2 held each
-vehicle's legs, and version 1 no times; both are read by `older_versions`.
+Version 7 is the record itself. Version 6 knew no bill, no shares of the gain, no chances and no
+rotation of the lead, version 5 no pauses and no drivers, version 4 did not tell what vehicles are
+like, version 3 knew no places between junctions or beside the road; all are read as they stand.
+Versions 1 and 2 held each vehicle's legs, and version 1 no times; both are read by
+`older_versions`.
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ from .records import (
     Stop,
     Stretch,
 )
+from .rotation import Rotation
 from .timetable import Timetable
 
 __all__ = ["PLAN_VERSION", "plan_from_dict"]
@@ -85,6 +87,7 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
                 "bill": _part(Bill.from_dict, own.get("bill")),
                 "gain": _part(GainSharing.from_dict, own.get("gain")),
                 "chances": _part(Chances.from_dict, own.get("chances")),
+                "rotation": _part(Rotation.from_dict, own.get("rotation")),
             }
         )
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:

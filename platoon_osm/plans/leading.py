@@ -80,10 +80,12 @@ def leading_text(plan: Plan) -> str:
     """
     if (found := leading(plan)) is None:
         return ""
-    lead = f"{named(found.who)} leads"
+    # Whose route the others join is the master, also where all lead in turns.
+    turns = plan.rotation is not None
+    lead = f"{named(found.who)} {'keeps its route' if turns else 'leads'}"
     if not found.others:
         return f"{lead}."
     names = listed(list(found.others))
     names = f"any of {names}" if len(found.others) > 1 else names
     gives = "the same" if found.saving is None else f"{found.saving:.1%} saved in all"
-    return f"{lead}; with {names} in front it would be {gives}."
+    return f"{lead}; with {names} {'as master' if turns else 'in front'} it would be {gives}."

@@ -22,6 +22,8 @@ from .json_form import PLAN_VERSION, plan_from_dict
 from .money_checks import check_money
 from .proof import Proof
 from .records import Event, MasterTried, NetworkIdentity, PlannedTrip, Platoon, Stretch
+from .rotation import Rotation
+from .rotation_checks import check_rotation
 from .text_table import named
 from .timetable import Timetable, VehicleTimes
 from .vehicles import VehiclePlan, saved_share, vehicles_of
@@ -89,6 +91,9 @@ class Plan:
         How what it saves is shared; None where nobody worked it out.
     chances : Chances or None
         How likely its merges are if vehicles run late; None where no delays were given.
+    rotation : Rotation or None
+        Where the lead is handed on; None where the leaders stay in front, and where it makes no
+        sense.
 
     Raises
     ------
@@ -118,6 +123,7 @@ class Plan:
     bill: Bill | None = None
     gain: GainSharing | None = None
     chances: Chances | None = None
+    rotation: Rotation | None = None
     plan_version: int = field(default=PLAN_VERSION, init=False)
 
     def __post_init__(self) -> None:
@@ -125,6 +131,7 @@ class Plan:
             self.trips, self.stretches, self.ways, self.platoons, self.events, self.timetable
         )
         check_money(self.trips, self.events, self.bill, self.gain, self.chances)
+        check_rotation(self.trips, self.stretches, self.rotation)
 
     @cached_property
     def vehicles(self) -> tuple[VehiclePlan, ...]:
@@ -181,7 +188,7 @@ class Plan:
 
         Parameters
         ----------
-        what : {"vehicles", "stretches", "points", "timetable"}
+        what : {"vehicles", "stretches", "points", "positions", "timetable", "pauses"}
             What a row is.
 
         Returns

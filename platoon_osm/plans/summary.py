@@ -13,6 +13,7 @@ from .cost_decimals import cost_decimals
 from .credits import credits_of
 from .lateness import NOT_FEASIBLE, NOT_IN_TIME, status_lines
 from .law_lines import law_lines, place_text
+from .lead_lines import lead_lines
 from .leading import leading_text
 from .paid import paid
 from .plan import Plan
@@ -273,12 +274,16 @@ def _leading(plan: Plan) -> list[str]:
     return [text] if text else []
 
 
+def _lead(plan: Plan) -> list[str]:
+    return _first(lead_lines(plan))
+
+
 def _proof(plan: Plan) -> list[str]:
     return [proof_sentence(plan)]
 
 
 PARTS: tuple[Callable[[Plan], list[str]], ...] = (
     _heading, _table, bill_lines, _alone, _profiles, _closed, _day, _law, _points, _chances,
-    _access_legs, _leading, _proof, _notes, _credits,
+    _access_legs, _leading, _lead, _proof, _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""

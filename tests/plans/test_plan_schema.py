@@ -22,6 +22,7 @@ from platoon_osm.plans.gain import GainShare, GainSharing
 from platoon_osm.plans.pauses import DriverDay, Pause, PausePlace
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.proof import Proof
+from platoon_osm.plans.rotation import LeadChange, Rotation
 from platoon_osm.plans.timetable import Timetable, VehicleTimes
 from platoon_osm.vehicles.profile import Vehicle
 
@@ -37,7 +38,8 @@ RECORDS = {
     "pause_place": PausePlace, "driver_day": DriverDay, "driver_state": DriverState,
     "bill": Bill, "cost_figure": CostFigure, "vehicle_bill": VehicleBill,
     "gain_sharing": GainSharing, "gain_share": GainShare,
-    "chances": Chances, "meeting_chance": MeetingChance,
+    "chances": Chances, "meeting_chance": MeetingChance, "rotation": Rotation,
+    "lead_change": LeadChange,
 }  # fmt: skip
 
 

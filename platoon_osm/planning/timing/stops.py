@@ -84,7 +84,11 @@ def cut_plan(net: RoadNetwork, plan: Plan, cuts: Cut) -> Plan:
         replace(event, stretch=places[event.stretch][0 if event.kind == "merge" else -1])
         for event in plan.events
     )
-    return replace(plan, stretches=tuple(stretches), ways=ways, events=events)
+    rotation = plan.rotation
+    if rotation is not None:
+        changes = (replace(one, stretch=places[one.stretch][0]) for one in rotation.changes)
+        rotation = replace(rotation, changes=tuple(changes))
+    return replace(plan, stretches=tuple(stretches), ways=ways, events=events, rotation=rotation)
 
 
 def time_to(net: RoadNetwork, stretch: Stretch, place: Place) -> float:
