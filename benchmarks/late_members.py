@@ -2,9 +2,9 @@
 
 Four trucks from towns in the north of the bundled map to towns in its south, drawn at random, each
 leaving within an hour of six in the morning, with some time to spare. The paper's costs with
-tau = 1 and xi = 0.18, an hour's waiting at 100 km-equivalents; then the money preset `eu`. Both plans are judged on the same
-10,000 days drawn with a seed of their own, not those on which the robust one was chosen. Run it
-with `python -m benchmarks.late_members`.
+tau = 1 and xi = 0.18, an hour's waiting at 100 km-equivalents; then the money preset `eu`. Both
+plans are judged on the same 10,000 days drawn with a seed of their own, not those on which the
+robust one was chosen. Run it with `python -m benchmarks.late_members`.
 """
 
 from __future__ import annotations

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ScenarioError
 from ..network.placed import access_of
 from ..network.road_network import RoadNetwork
 from ..plans.stretches import Run, runs_alone, runs_along
@@ -185,11 +184,6 @@ class Star:
         -------
         StarChoice
             The points, their cost and its bound.
-
-        Raises
-        ------
-        ScenarioError
-            The system's optimum is asked for, and company costs the master more than driving alone.
         """
         everyone = np.arange(len(self.members))
         known = costs or self.costs
@@ -199,11 +193,6 @@ class Star:
             met = points.covered(len(self.route)).any(axis=0)
             cost = float(points.cost.sum()) + alone - float(gain[met].sum())
             return StarChoice(case, points, cost, cost)
-        if (gain < 0).any():
-            raise ScenarioError(
-                f"objective 'system': edge {self.route[np.argmax(gain < 0)]} costs the master more "
-                "in company than alone; plan with objective 'member'"
-            )
         found = choose_for_system(
             lambda gains, rows: self._points(case, gains, rows, known), gain, len(self.members)
         )

@@ -52,7 +52,9 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
     theirs, from several starts. The lower bound is Lagrangian: the master saves on an edge only
     if some member is there; at a price p in [0, gain] for that condition each member may count p
     on every edge it uses, however many others do, and gain - p is granted in advance. This makes
-    members independent, and prices fall where many members crowd and rise where none is.
+    members independent, and prices fall where many members crowd and rise where none is. What
+    company costs the master counts in the choice; the bound leaves it out, unless there is one
+    member alone.
 
     Parameters
     ----------
@@ -60,7 +62,8 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
         Plans some members, given what each gains for others on each edge (k, K) and which they
         are (k,).
     gain : ndarray of float, (K,)
-        What the master saves on each edge of its route if it has company there; 0 or more.
+        What the master saves on each edge of its route if it has company there; below 0 where
+        company costs it more than driving alone, as behind a slower vehicle.
     members : int
         How many there are.
 
@@ -76,13 +79,16 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
 
     best = _by_turns(choose, choose_all(np.zeros_like(gain)), gain)
     best_cost, bound = _cost(best, gain), -np.inf
-    price, scale = gain.copy(), 1.0
+    granted = np.maximum(gain, 0.0)
+    price, scale = (gain if members == 1 else granted).copy(), 1.0
+    if members == 1:
+        granted = gain
     proving = price
     seen: set[bytes] = set()
     for _ in range(ROUNDS):
         relaxed = choose_all(price)
         users = relaxed.covered(len(gain)).sum(axis=0)
-        value = lower_bound(relaxed, price, gain)
+        value = lower_bound(relaxed, price, granted)
         scale = scale if value > bound else scale / 2
         if value > bound:
             bound, proving = value, price
@@ -92,12 +98,12 @@ def choose_for_system(choose: Choose, gain: Floats, members: int) -> SystemChoic
             improved = _by_turns(choose, relaxed, gain)
             if (cost := _cost(improved, gain)) < best_cost:
                 best, best_cost = improved, cost
-        slope = np.where((price >= gain) & (users < 1), 0.0, 1.0 - users)
+        slope = np.where((price >= granted) & (users < 1), 0.0, 1.0 - users)
         slope[(price <= 0) & (users > 1)] = 0.0
         if best_cost - bound <= 1e-9 * abs(best_cost) or not slope.any():
             break
         step = scale * (best_cost - value) / float((slope**2).sum())
-        price = np.clip(price + step * slope, 0.0, gain)
+        price = np.clip(price + step * slope, np.minimum(granted, 0.0), granted)
     return SystemChoice(best, best_cost, min(bound, best_cost), proving)
 
 

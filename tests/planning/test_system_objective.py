@@ -8,7 +8,7 @@ from oracles import all_pairs, system_optimum
 from random_networks import network, problems, routes, tied_networks
 
 from platoon_osm.costs.weights import EdgeWeights
-from platoon_osm.errors import NoRouteError, ScenarioError
+from platoon_osm.errors import NoRouteError
 from platoon_osm.planning.cases import choose_points, entry_exit_costs, route_nodes
 from platoon_osm.planning.joint import plan_joint
 from platoon_osm.planning.system import lower_bound
@@ -135,12 +135,27 @@ def test_many_members_in_a_moment():
     assert plan.joint_cost == 2.5 * 200 + 2 * sum(200 - 2 * k for k in range(60))
 
 
-def test_a_master_that_pays_for_company_is_refused():
+@pytest.mark.parametrize(
+    ("follows", "together"), [(1.0, False), (0.8, False), (0.4, True), (0.0, True)]
+)
+def test_a_master_pays_for_company_only_where_the_others_gain_more(follows, together):
+    """On the second edge company costs the master half more; one member saves 1 - `follows`."""
     net = network([0, 1], [1, 2], [1, 1])
-    weights = EdgeWeights(np.ones(2), np.ones(2), np.array([1.0, 2.0]), "m", {})
+    weights = EdgeWeights(np.ones(2), np.full(2, follows), np.array([1.0, 1.5]), "m", {})
     trips = [Trip("A", 0, 2), Trip("B", 1, 2)]
-    with pytest.raises(ScenarioError, match="edge 1 costs the master more"):
-        plan_joint(net, weights, trips, "C", objective="system")
+    plan = plan_joint(net, weights, trips, "C", objective="system", master="A")
+    assert any(stretch.together for stretch in plan.stretches) is together
+    assert plan.joint_cost == pytest.approx(min(3.0, 2.5 + follows))
+    assert plan.proof.kind == "exact"
+
+
+def test_what_company_costs_the_master_counts_once():
+    net = network([0, 1], [1, 2], [1, 1])
+    weights = EdgeWeights(np.ones(2), np.full(2, 0.7), np.array([1.0, 1.5]), "m", {})
+    trips = [Trip("A", 0, 2), Trip("B", 1, 2), Trip("C", 1, 2)]
+    plan = plan_joint(net, weights, trips, "C", objective="system", master="A")
+    assert plan.joint_cost == pytest.approx(2.5 + 1.4)
+    assert plan.proof.cost * (1 - (plan.proof.gap or 0)) <= 3.9
 
 
 def test_a_way_that_is_none():

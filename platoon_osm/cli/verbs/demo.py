@@ -58,9 +58,10 @@ def verb(output: Output, network: str, rules: str | None, objective: str | None)
     """Plan trips in Italy in cases A to D, on the bundled map.
 
     Case C is four trucks to Roma and Napoli; with --map california-corridor it is three trucks up
-    the I 5, on a true extract of OpenStreetMap. Breaks and rests are those of the law there: of Regulation (EC) 561/2006, or of
-    49 CFR 395.3; with --rules spread-rest the paper's, with --rules none there are none. Costs are
-    euros or dollars; with --objective paper the weights of the paper, and the 18 % that it assumes.
+    the I 5, on a true extract of OpenStreetMap. Breaks and rests are those of the law there: of
+    Regulation (EC) 561/2006, or of 49 CFR 395.3; with --rules spread-rest the paper's, with --rules
+    none there are none. Costs are euros or dollars; with --objective paper the weights of the
+    paper, and the 18 % that it assumes.
 
     Writes demo.html, a page to open in any browser, and demo.gpkg, for a GIS; both show case C.
     """
