@@ -39,10 +39,12 @@ if TYPE_CHECKING:
     from .planning.problem import Problem
     from .planning.scenario.trip_tables import read_trips
     from .planning.share_gain import share_gain
+    from .planning.what_if import what_if
     from .plans.curves import DelayFrontier, DepartureCurve
     from .plans.plan import JointPlan, Plan
     from .plans.trip import Trip
     from .plans.vehicles import VehiclePlan
+    from .plans.what_if import WhatIf, WhatIfs
     from .report.charts.break_even_figure import write_break_even
     from .report.charts.curve_figures import write_curve
     from .report.charts.figures import write_figures
@@ -97,6 +99,9 @@ _WHERE = {
     "plan_joint": "planning.joint",
     "solve": "planning.joint",
     "share_gain": "planning.share_gain",
+    "what_if": "planning.what_if",
+    "WhatIf": "plans.what_if",
+    "WhatIfs": "plans.what_if",
     "JointPlan": "plans.plan",
     "Plan": "plans.plan",
     "Problem": "planning.problem",
@@ -162,6 +167,8 @@ __all__ = [
     "StudyResult",
     "Trip",
     "VehiclePlan",
+    "WhatIf",
+    "WhatIfs",
     "__version__",
     "break_even",
     "delay_frontier",
@@ -182,6 +189,7 @@ __all__ = [
     "solve",
     "stops_along",
     "to_geodataframe",
+    "what_if",
     "write_break_even",
     "write_comparison",
     "write_csv",

@@ -95,6 +95,10 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
             "optimum": "member",
         }),
         "write_break_even": (po.write_break_even, {"found": po.break_even(po.PaperCosts())}),
+        "what_if": (po.what_if, {
+            "problem": po.Problem(given["other"], (po.Trip("A", 0, 1),), po.money_costs()),
+            "figure": "fuel_per_l", "values": [1.0, 2.0], "tolerance": 1.0,
+        }),
         "place_table": (po.place_table, {
             "net": net, "origins": ["Torino"], "destinations": ["Trieste"], "measure": "km",
         }),
@@ -171,7 +175,7 @@ NAMES = (
     "read_trips", "Plan.from_dict", "Plan.read_json", "explore", "to_geodataframe", "write_html",
     "write_flows", "write_comparison", "write_csv", "write_gpx", "write_geopackage", "write_sheets",
     "write_pages", "departure_curve", "delay_frontier", "write_curve", "break_even",
-    "write_break_even",
+    "write_break_even", "what_if",
 )  # fmt: skip
 
 
