@@ -1,7 +1,7 @@
 """What is due on the edges of a network, and along a route.
 
 Toll is due where the map marks it, and by the kilometre on the roads of a national charge but for
-the part that the map says is free (`toll=no`, `toll:hgv=no`). Nothing here is in a plan's cost yet.
+the part that the map says is free (`toll=no`, `toll:hgv=no`). Costs in money have it in them.
 """
 
 from __future__ import annotations
