@@ -25,7 +25,7 @@ WHERE = "On which network (before the scenario's)"
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
     "case", "master", "optimum", "method", "company", "lead", "max_platoon", "patience_min",
-    "access_limit_km", "rules", "task_relief", "robust",
+    "access_limit_km", "rules", "task_relief", "robust", "share",
 )  # fmt: skip
 
 
@@ -87,6 +87,10 @@ def asked_options(verb: Run) -> Run:
         _option(
             WHAT, "--robust", is_flag=True, default=None,
             help="Take the plan that is expected to save most with delays, not the cheapest.",
+        ),
+        _option(
+            WHAT, "--share",
+            help="How a gain in money is shared: equal, shapley or least-core.",
         ),
         _option(
             WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",

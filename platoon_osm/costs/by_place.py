@@ -24,6 +24,11 @@ Index = NDArray[np.int64]
 class ByPlace(Protocol):
     """Costs of one vehicle on one network by its place in a company."""
 
+    @property
+    def told_sizes(self) -> tuple[int, ...]:
+        """The sizes whose places may cost unlike amounts, and one beyond for the rest."""
+        ...
+
     def share(self, edges: Index, position: int, size: int, drive_s: Floats | None) -> Share:
         """Return what the vehicle pays on a stretch.
 

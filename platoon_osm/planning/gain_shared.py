@@ -12,6 +12,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import get_args
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ..costs.objective import edge_weights
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError, brief
@@ -19,12 +22,18 @@ from ..network.placed import network_below
 from ..plans.gain import GainShare, GainSharing
 from ..plans.plan import Plan
 from ..plans.text_table import listed
+from ..sharing.rule_names import SharingRule
+from ..vehicles.pace import drive_times
 from ..vehicles.profile import Vehicle
+from .fleet import Fleet
+from .planned_company import CENTS
 from .problem import Problem, check_choice
-from .road_game import CENTS, RoadGame, road_games
-from .sharing_rules import Shared, SharingRule, shared_on_road
+from .road_game import RoadGame, road_games
+from .sharing_rules import Shared, shared_on_road
 
 __all__ = ["games_of", "recorded", "saved_cents", "with_gain"]
+
+Floats = NDArray[np.float64]
 
 PLANNED = "on the planned roads"
 
@@ -32,7 +41,14 @@ DIGITS = 6
 """Of a cent; what lies beyond is last digits."""
 
 
-def with_gain(plan: Plan, problem: Problem, rule: SharingRule = "equal") -> Plan:
+def with_gain(
+    plan: Plan,
+    problem: Problem,
+    rule: SharingRule = "equal",
+    fleet: Fleet | None = None,
+    *,
+    bounded: bool = True,
+) -> Plan:
     """Return a plan with shares of what it saves, coalitions asked on the planned roads.
 
     Parameters
@@ -43,6 +59,11 @@ def with_gain(plan: Plan, problem: Problem, rule: SharingRule = "equal") -> Plan
         What was asked; its objective has costs in money.
     rule : {"equal", "shapley", "least-core"}
         By what it is shared.
+    fleet : Fleet, optional
+        Of the plan's network without places between junctions, if it is known.
+    bounded : bool
+        Whether what groups of many linked vehicles could gain is bounded, which may take as long as
+        planning.
 
     Returns
     -------
@@ -55,9 +76,9 @@ def with_gain(plan: Plan, problem: Problem, rule: SharingRule = "equal") -> Plan
         An unknown rule, costs that are no money, or another problem than the plan's.
     """
     saved = saved_cents(plan)
-    games = games_of(plan, problem, rule)
+    games = games_of(plan, problem, rule, fleet)
     return recorded(
-        plan, saved, [shared_on_road(plan, game, rule) for game in games], rule, PLANNED
+        plan, saved, [shared_on_road(plan, game, rule, bounded) for game in games], rule, PLANNED
     )
 
 
@@ -79,7 +100,9 @@ def saved_cents(plan: Plan) -> tuple[int, ...]:
     return tuple(round(CENTS * (one.solo_cost - one.joint_cost)) for one in plan.vehicles)
 
 
-def games_of(plan: Plan, problem: Problem, rule: SharingRule) -> list[RoadGame]:
+def games_of(
+    plan: Plan, problem: Problem, rule: SharingRule, fleet: Fleet | None = None
+) -> list[RoadGame]:
     """Return the games of a plan on its planned roads, once it is sure that it can be shared.
 
     Parameters
@@ -90,6 +113,8 @@ def games_of(plan: Plan, problem: Problem, rule: SharingRule) -> list[RoadGame]:
         What was asked.
     rule : {"equal", "shapley", "least-core"}
         By what it is to be shared.
+    fleet : Fleet, optional
+        As in `with_gain`.
 
     Returns
     -------
@@ -114,23 +139,26 @@ def games_of(plan: Plan, problem: Problem, rule: SharingRule) -> list[RoadGame]:
             f"share_gain: costs are in {brief(unit)}, no money; plan with an objective whose unit "
             'is a currency, as "EUR"'
         )
-    return road_games(plan, _weights(problem, plan), saved_cents(plan))
+    return road_games(plan, fleet or _fleet(problem, plan), saved_cents(plan))
 
 
-def _weights(problem: Problem, plan: Plan) -> list[EdgeWeights]:
-    """Return what edges of the plan's network cost each vehicle; one object for those alike."""
+def _fleet(problem: Problem, plan: Plan) -> Fleet:
+    """Return what edges of the plan's network cost each vehicle, and how fast it is."""
     net = network_below(problem.net)
     if plan.network.identity != net.identity():
         raise ScenarioError(
             f"share_gain: the plan was made on {plan.network.name}, the problem has another "
             "network; give the problem it was made from"
         )
-    known: dict[Vehicle | None, EdgeWeights] = {}
-    for trip in problem.trips:
-        kind = problem.profile_of(trip)
-        if kind not in known:
-            known[kind] = edge_weights(problem.objective, net, "share_gain", kind)
-    return [known[problem.profile_of(trip)] for trip in problem.trips]
+    kinds = [problem.profile_of(trip) for trip in problem.trips]
+    weights: dict[Vehicle | None, EdgeWeights] = {}
+    paces: dict[Vehicle | None, Floats] = {}
+    for kind in kinds:
+        if kind not in weights:
+            weights[kind] = edge_weights(problem.objective, net, "share_gain", kind)
+            own = drive_times(net, kind)
+            paces[kind] = next((one for one in paces.values() if np.array_equal(one, own)), own)
+    return Fleet([weights[kind] for kind in kinds], None, [paces[kind] for kind in kinds])
 
 
 def recorded(
@@ -161,7 +189,9 @@ def recorded(
         plan.bill.currency if plan.bill else plan.unit,
         tuple(GainShare(own, shares[vehicle]) for vehicle, own in enumerate(saved)),
         sum(one.coalitions for one in games),
-        max((round(one.worst, DIGITS) + 0.0 for one in games), default=None),
+        max(
+            (round(one.worst, DIGITS) + 0.0 for one in games if one.worst is not None), default=None
+        ),
         manner if games else "",
         "; ".join(remark for one in found for remark in one.remarks),
     )

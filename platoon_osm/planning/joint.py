@@ -23,6 +23,7 @@ from ..plans.records import MasterTried
 from ..plans.stretches import Run
 from ..plans.trip import Trip
 from ..search.protocol import EngineName
+from ..sharing.rule_names import SharingRule
 from ..vehicles.profile import Vehicle
 from .answers import Answer
 from .apart import lawful_company
@@ -31,6 +32,7 @@ from .best import Best, best_answer
 from .billing import with_bill
 from .company.draft import Draft
 from .company.platoons import platoons_of
+from .gain_shared import with_gain
 from .masters import choices_of
 from .meeting_chances import with_chances
 from .place_remarks import with_place_remarks
@@ -81,6 +83,7 @@ def plan_joint(
     delays: Delays | None = None,
     robust: bool = False,
     lead: Lead = "master",
+    share: SharingRule = "equal",
     objective: Optimum | None = None,
 ) -> Plan:
     """Plan who merges where with whom, what it saves and, if trips name times, when.
@@ -134,6 +137,8 @@ def plan_joint(
     lead : {"master", "rotated"}
         Who leads: the master wherever it is, or all in turns, handed on at junctions so that each
         leads its fair share.
+    share : {"equal", "shapley", "least-core"}
+        By what rule the gain is shared, where costs are money.
     objective : {"member", "system"}, optional
         What `optimum` was called before; it counts if given.
 
@@ -169,7 +174,7 @@ def plan_joint(
             optimum=optimum, engine=engine, access=access, company=company,
             max_platoon=max_platoon, patience_min=patience_min, profile=profile, close=shut,
             rules=law, task_relief=task_relief, delays=delays, robust=robust,
-            lead=lead,
+            lead=lead, share=share,
         )
     )  # fmt: skip
 
@@ -236,7 +241,11 @@ def solve(problem: Problem) -> Plan:
     if problem.delays is not None:
         plan = with_chances(plan, problem.delays, problem.objective)
     plan = with_rules(_with_limits(plan, net, vehicles, shut), problem.rules)
-    return with_bill(plan, problem.objective, network_below(net))
+    plan = with_bill(plan, problem.objective, network_below(net))
+    if plan.bill is None:
+        return plan
+    fleet = question.fleet if network_below(net) is net else None
+    return with_gain(plan, problem, problem.share, fleet, bounded=False)
 
 
 def _with_limits(

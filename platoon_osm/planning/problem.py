@@ -18,6 +18,7 @@ from ..network.road_network import RoadNetwork
 from ..plans.text_table import listed
 from ..plans.trip import Trip, check_one_clock
 from ..search.protocol import EngineName
+from ..sharing.rule_names import SharingRule
 from ..vehicles.profile import DEFAULT_VEHICLE, Vehicle, vehicle_of
 from .cases import CASES
 from .delays_asked import checked_delays
@@ -87,6 +88,8 @@ class Problem:
     lead : {"master", "rotated"}
         Who leads: the master wherever it is, or all in turns, so that each leads its fair share;
         see `planning.rotation`.
+    share : {"equal", "shapley", "least-core"}
+        By what rule the gain is shared, where costs are money; see `planning.sharing_rules`.
 
     Raises
     ------
@@ -113,6 +116,7 @@ class Problem:
     delays: Delays | None = None
     robust: bool = False
     lead: Lead = "master"
+    share: SharingRule = "equal"
 
     def __post_init__(self) -> None:
         if not isinstance(self.net, RoadNetwork):
@@ -129,6 +133,7 @@ class Problem:
             ("engine", self.engine, get_args(EngineName)),
             ("company", self.company, get_args(Company)),
             ("lead", self.lead, get_args(Lead)),
+            ("share", self.share, get_args(SharingRule)),
         ):
             check_choice(label, value, allowed)
         object.__setattr__(self, "rules", rules_of(self.rules))

@@ -20,11 +20,12 @@ from ..errors import ScenarioError
 from ..kinds import kind_of
 from ..plans.plan import Plan
 from ..sharing.coalitions import superadditive_cover
+from ..sharing.rule_names import SharingRule
 from .gain_shared import games_of, recorded, saved_cents, with_gain
 from .joint import solve
 from .master import LONGEST
 from .problem import Problem
-from .sharing_rules import SharingRule, equal_parts, shared
+from .sharing_rules import equal_parts, shared
 
 __all__ = ["share_gain"]
 

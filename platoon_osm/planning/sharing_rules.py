@@ -21,7 +21,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,13 +33,13 @@ from ..sharing.coalitions import MOST_PLAYERS
 from ..sharing.least_core import least_core
 from ..sharing.many import most_to_gain
 from ..sharing.nearest import none_worse_off
+from ..sharing.rule_names import SharingRule
 from ..sharing.shapley import shapley_value
 from .road_game import RoadGame
 
-__all__ = ["Shared", "SharingRule", "equal_parts", "shared", "shared_on_road"]
+__all__ = ["Shared", "equal_parts", "shared", "shared_on_road"]
 
 Floats = NDArray[np.float64]
-SharingRule = Literal["equal", "shapley", "least-core"]
 
 HALF_CENT = 0.5
 """Who would be worse off by less is not named: it is made good by rounding."""
@@ -58,8 +57,8 @@ class Shared:
         Cents.
     coalitions : int
         How many were tried one by one.
-    worst : float
-        The most that any coalition could gain [cents].
+    worst : float or None
+        The most that any coalition could gain [cents]; None if that was not worked out.
     remarks : tuple of str
         What a reader should know.
     """
@@ -67,11 +66,11 @@ class Shared:
     vehicles: tuple[int, ...]
     shares: tuple[int, ...]
     coalitions: int = 0
-    worst: float = 0.0
+    worst: float | None = None
     remarks: tuple[str, ...] = ()
 
 
-def shared_on_road(plan: Plan, game: RoadGame, rule: SharingRule) -> Shared:
+def shared_on_road(plan: Plan, game: RoadGame, rule: SharingRule, bounded: bool) -> Shared:
     """Share what one game saves by a rule, and ask all its coalitions on the planned roads.
 
     Parameters
@@ -82,6 +81,8 @@ def shared_on_road(plan: Plan, game: RoadGame, rule: SharingRule) -> Shared:
         Vehicles that are linked by companies.
     rule : {"equal", "shapley", "least-core"}
         By what it is shared.
+    bounded : bool
+        Whether what coalitions of many vehicles could gain is bounded.
 
     Returns
     -------
@@ -92,14 +93,18 @@ def shared_on_road(plan: Plan, game: RoadGame, rule: SharingRule) -> Shared:
     if n <= MOST_PLAYERS:
         return shared(plan, game.vehicles, equal_parts(game), game.values(), rule)
     total = int(game.saved.sum())
-    remarks = [f"a bound covers all coalitions of {n} vehicles; none was tried one by one"]
-    if rule == "least-core":
-        remarks.append(f"{n} linked vehicles are too many for the least core; shared equally")
     shares = _shapley_by_stretch(game) if rule == "shapley" else equal_parts(game)
-    cents, worse = _paid(plan, game.vehicles, shares, total)
-    companies = [(company.players, company.best_game()) for company in game.companies]
+    cents, remarks = _paid(plan, game.vehicles, shares, total)
+    if rule == "least-core":
+        many = f"{n} linked vehicles are too many for the least core; shared equally"
+        remarks = (*remarks, many)
+    if not bounded:
+        unasked = f"what groups of {n} linked vehicles could gain was not worked out"
+        return Shared(game.vehicles, cents, remarks=(*remarks, unasked))
+    companies = [(game.players(company), company.best_game()) for company in game.companies]
     worst = most_to_gain(companies, game.own_ways, cents)
-    return Shared(game.vehicles, cents, 0, worst, (*worse, *remarks))
+    told = f"a bound covers all groups of {n} linked vehicles; none was tried one by one"
+    return Shared(game.vehicles, cents, 0, worst, (*remarks, told))
 
 
 def shared(
@@ -153,7 +158,7 @@ def equal_parts(game: RoadGame) -> Floats:
     """
     shares = -game.own_ways
     for company in game.companies:
-        shares[list(company.players)] += company.game().equal_parts(leader=0)
+        shares[game.players(company)] += company.game().equal_parts(leader=0)
     return shares
 
 
@@ -164,7 +169,7 @@ def _shapley_by_stretch(game: RoadGame) -> Floats:
         played = company.game()
         # The planned leader need not be the best; all bear the same part of what that costs.
         missed = (played.value(range(len(played))) - company.as_planned.sum()) / len(played)
-        shares[list(company.players)] += played.shapley() - missed
+        shares[game.players(company)] += played.shapley() - missed
     return shares
 
 

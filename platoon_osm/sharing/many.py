@@ -1,16 +1,18 @@
 """What any coalition of many vehicles could gain at most by itself, by one linear programme.
 
-Vehicles drive planned stretches or stay at home. z_i in [0, 1] says how far i takes part, L_c how
-far company c has a leader, and y_ck that it is k. With s what followers save, d what a leader
-loses, o what a vehicle's own way costs more and x its share,
+Vehicles drive planned stretches or stay at home. z_i in [0, 1] says how far i takes part; on the
+stretch of company c, f_ci how far it follows and y_ck how far k leads, L_c and F_c being the sums
+of both. With s what followers save, l what leaders save, o what a vehicle's own way costs more and
+x its share,
 
-    max  sum_c (sum_i s_ci z_i - sum_k d_ck y_ck) - sum_i (o_i + x_i) z_i
-    with sum_k y_ck = L_c >= z_i for all i in c,  y_ck <= z_k.
+    max  sum_c (sum_i s_ci f_ci + sum_k l_ck y_ck) - sum_i (o_i + x_i) z_i
+    with f_ci + y_ci <= z_i,  L_c <= 1,  f_ci <= L_c - y_ci,  y_ci <= F_c - f_ci.
 
-Every coalition is a point of it with at least the value that it has: of one vehicle alone on a
-stretch it says l = s - d instead of 0. So nobody can gain more than its maximum, which is at least
-0, as of nobody. It is no more than the best coalition gains where leaders save nothing and all of a
-company lose the same by leading: then its corners are whole numbers.
+Every coalition is a point of it: one leads, the others follow, and where only one is there it does
+neither. So nobody can gain more than its maximum, which is at least 0, as of nobody. Where leaders
+save nothing and all of a company lose the same by leading, some best point is a coalition: with
+less than the last condition the programme is to choose vehicles and, for each company that they
+are in, one lead to pay, and its corners are whole numbers.
 """
 
 from __future__ import annotations
@@ -37,8 +39,7 @@ def most_to_gain(
     Parameters
     ----------
     companies : sequence of (sequence of int, CompanyGame)
-        The players of each company, in the order of its game. None may gain by leading rather than
-        following.
+        The players of each company, in the order of its game.
     own : array_like of float, (n,)
         What each pays more on its way than alone, before anything is saved.
     shares : array_like of float, (n,)
@@ -52,7 +53,7 @@ def most_to_gain(
     Raises
     ------
     ScenarioError
-        A vehicle that saves more as a leader than as a follower, or a programme without an answer.
+        The programme has no answer.
     """
     from scipy.optimize import linprog
     from scipy.sparse import coo_array
@@ -63,40 +64,40 @@ def most_to_gain(
     rows: list[int] = []
     columns: list[int] = []
     entries: list[float] = []
-    sums: list[tuple[int, range]] = []  # the column of L, and those of its leaders
+    sums: list[tuple[int, range]] = []
     count, width = 0, n
 
-    def at_most(larger: int, smaller: int) -> None:
+    def at_most(smaller: tuple[int, ...], larger: int) -> None:
         nonlocal count
-        rows.extend((count, count))
-        columns.extend((smaller, larger))
-        entries.extend((1.0, -1.0))
+        rows.extend([count] * (len(smaller) + 1))
+        columns.extend((*smaller, larger))
+        entries.extend([1.0] * len(smaller) + [-1.0])
         count += 1
 
     for players, game in companies:
-        if len(game) < 2:
+        size = len(game)
+        if size < 2:
             continue
-        if (game.losses < 0).any():
-            raise ScenarioError(
-                "sharing: a vehicle saves more as leader than as follower; for many vehicles no "
-                "bound is known then"
-            )
-        at = np.asarray(players, np.int64)
-        np.add.at(worth[0], at, game.follow)
-        led, leaders = width, range(width + 1, width + 1 + len(at))
-        width += 1 + len(at)
-        worth += [np.zeros(1), -game.losses]
-        for player, leader in zip(at.tolist(), leaders, strict=True):
-            at_most(led, player)
-            at_most(player, leader)
-        sums.append((led, leaders))
+        # One column for L and F each, then those who lead, then those who follow.
+        led, followed = width, width + 1
+        leads = range(width + 2, width + 2 + size)
+        follows = range(leads.stop, leads.stop + size)
+        width = follows.stop
+        worth += [np.zeros(2), game.lead, game.follow]
+        for player, lead, follow in zip(players, leads, follows, strict=True):
+            at_most((follow, lead), int(player))
+            at_most((follow, lead), led)
+            at_most((lead, follow), followed)
+        sums += [(led, leads), (followed, follows)]
     if not sums:
         return float(np.maximum(worth[0], 0.0).sum())
     told = np.concatenate(worth)
     scale = float(np.abs(told).max()) or 1.0
-    same = np.repeat(np.arange(len(sums)), [1 + len(leaders) for _, leaders in sums])
-    where = [column for led, leaders in sums for column in (led, *leaders)]
-    signs = [sign for _, leaders in sums for sign in (-1.0, *[1.0] * len(leaders))]
+    same = np.repeat(np.arange(len(sums)), [1 + len(parts) for _, parts in sums])
+    where = [column for whole, parts in sums for column in (whole, *parts)]
+    signs = [sign for _, parts in sums for sign in (-1.0, *[1.0] * len(parts))]
+    many = {followed for followed, _ in sums[1::2]}
+    bounds = [(0.0, np.inf if column in many else 1.0) for column in range(width)]
     # Stubs know arrays only; scipy takes sparse ones as well.
     at_most_rows: Any = coo_array((entries, (rows, columns)), shape=(count, width)).tocsr()
     sum_rows: Any = coo_array((signs, (same, where)), shape=(len(sums), width)).tocsr()
@@ -106,7 +107,7 @@ def most_to_gain(
         b_ub=np.zeros(count),
         A_eq=sum_rows,
         b_eq=np.zeros(len(sums)),
-        bounds=(0, 1),
+        bounds=bounds,
         method="highs",
     )
     if answer.fun is None:

@@ -13,7 +13,11 @@ from soak import chosen, soaked
 
 import platoon_osm as po
 from platoon_osm.errors import ScenarioError
+from platoon_osm.planning.fleet import Fleet
+from platoon_osm.planning.planned_company import PlannedCompany
 from platoon_osm.plans.bill import Bill, VehicleBill
+from platoon_osm.plans.records import Stretch
+from platoon_osm.vehicles.pace import drive_times
 from platoon_osm.vehicles.profile import Vehicle
 
 SMALL = Vehicle("small", height_m=3.5, width_m=2.5, mass_t=12)
@@ -96,11 +100,26 @@ def groups_of(plan):
 
 def on_stretch(problem, plan, stretch, order):
     """Return the cents that vehicles save on a stretch in an order, leader first."""
+    if isinstance(problem.objective, po.MoneyCosts):
+        return at_the_slowest_pace(problem, plan, stretch, order)
     return {
         one: 100 * stretch.length_m / 1000
         * problem.objective.saved(place, len(order), plan.trips[one].profile)
         for place, one in enumerate(order)
     }  # fmt: skip
+
+
+def at_the_slowest_pace(problem, plan, stretch, order):
+    """Return the same under the prices of the package, edge by edge at the slowest pace."""
+    net, edges = problem.net, np.array(stretch.edges)
+    profiles = [plan.trips[one].profile for one in order]
+    pace = np.maximum.reduce([drive_times(net, profile)[edges] for profile in profiles])
+    found = {}
+    for place, (one, profile) in enumerate(zip(order, profiles, strict=True)):
+        by_place = problem.objective.weights(net, profile).by_place
+        share = by_place.share(edges, place, len(order), pace)
+        found[one] = 100 * (share.alone_cost - share.cost)
+    return found
 
 
 def own_ways(problem, plan, saved):
@@ -121,11 +140,15 @@ def value_of(problem, plan, saved):
         total = -sum(own[one] for one in group)
         for stretch in plan.stretches:
             there = [one for one in stretch.vehicles if one in group]
-            if len(there) > 1:
-                orders = [[one, *(k for k in there if k != one)] for one in there]
-                total += max(
-                    sum(on_stretch(problem, plan, stretch, order).values()) for order in orders
-                )
+            total += max(
+                (
+                    sum(on_stretch(problem, plan, stretch, order).values())
+                    for size in range(2, len(there) + 1)
+                    for some in combinations(there, size)
+                    for order in ([one, *(k for k in some if k != one)] for one in some)
+                ),
+                default=0.0,
+            )
         return total
 
     return cache(
@@ -253,6 +276,69 @@ def test_vehicles_alike_bear_the_lead_together_and_stay_in_the_core():
     assert gain.coalitions == 6
 
 
+@pytest.mark.parametrize("rule", ["equal", "shapley", "least-core"])
+def test_slow_vehicles_slow_those_they_drive_with(rule):
+    slow = replace(LARGE, name="slow", limiter_kmh=75.0)
+    trips = [
+        po.Trip("A", 0, 6, profile=LARGE),
+        po.Trip("B", 1, 6, profile=slow),
+        po.Trip("C", 0, 5, profile=LARGE),
+        po.Trip("D", 1, 5, profile=LARGE),
+    ]
+    costs = po.MoneyCosts("eu", positions="plafosim", driver_following=0.5)
+    problem = po.Problem(corridor(), trips, costs)
+    plan = po.solve(problem)
+    assert any({1, 0} <= set(stretch.vehicles) for stretch in plan.stretches)
+    gain = po.share_gain(plan, problem, rule).gain
+    saved = [one.saved_cents for one in gain.vehicles]
+    shares = [one.share_cents for one in gain.vehicles]
+    count, worst = worst_of(groups_of(plan), value_of(problem, plan, saved), shares)
+    assert (gain.coalitions, gain.worst_cents) == (count, pytest.approx(worst, abs=1e-5))
+    if rule == "equal":
+        right = equal_by_hand(problem, plan, saved)
+        assert shares == pytest.approx([right[one] for one in range(4)], abs=1)
+
+
+def company_of(costs, profiles):
+    """Return vehicles side by side on the first two edges eastward, and what they save there."""
+    net = corridor()
+    edges = [int(np.flatnonzero((net.tail == k) & (net.head == k + 1))[0]) for k in (0, 1)]
+    paces = {profile: drive_times(net, profile) for profile in profiles}
+    for profile in profiles:
+        same = (one for one in paces.values() if np.array_equal(one, paces[profile]))
+        paces[profile] = next(same)
+    fleet = Fleet(
+        [costs.weights(net, profile) for profile in profiles],
+        None,
+        [paces[profile] for profile in profiles],
+    )
+    order = tuple(range(len(profiles)))
+    shares = tuple(fleet.share(order, place, np.array(edges), 80_000.0) for place in order)
+    stretch = Stretch(tuple(edges), order, 80_000.0, 3600.0, shares)
+    return PlannedCompany(stretch, fleet)
+
+
+def test_who_would_lose_by_company_drives_its_stretch_alone():
+    # Two save 0.1 + 0.3 EUR a kilometre; who drives between them loses 0.25.
+    company = company_of(Tolls(lead=0.1, middle=-0.25, last=0.3), [LARGE] * 3)
+    pair = pytest.approx(80 * 40, abs=0.1)
+    assert company.as_planned.sum() == pytest.approx(80 * 15, abs=1)
+    values = company.values()
+    assert [values[3], values[5], values[6], values[7]] == [pair] * 4
+
+
+@pytest.mark.parametrize("positions", ["eddi", "plafosim"])
+def test_no_group_saves_more_than_the_game_of_the_best_places(positions):
+    slow, slower = (replace(LARGE, name=f"{v}", limiter_kmh=v) for v in (78.0, 70.0))
+    costs = po.MoneyCosts("eu", positions=positions)
+    company = company_of(costs, [LARGE, slow, LARGE, slower, SMALL])
+    values, best = company.values(), company.best_game()
+    assert (best.values() >= values - 1e-9).all()
+    if positions == "eddi":  # all followers save alike, so two alike have nothing better
+        assert values[5] == pytest.approx(best.value([0, 2]))
+    assert best.losses.min() >= 0
+
+
 def test_who_would_be_worse_off_by_the_rule_is_named_and_is_not():
     costs = Tolls(lead=0.0, middle=0.3, last=0.3)
     problem = po.Problem(corridor(), [po.Trip("A", 0, 6), po.Trip("B", 0, 6)], costs)
@@ -338,13 +424,34 @@ def test_of_many_a_bound_covers_all_groups():
         assert gain.nobody_is_worse_off
         assert gain.gain_cents == sum(one.saved_cents for one in gain.vehicles)
         assert gain.coalitions == 0
-        assert "a bound covers all coalitions of 14 vehicles" in gain.remark
+        assert "a bound covers all groups of 14 linked vehicles" in gain.remark
         assert ("too many for the least core" in gain.remark) == (rule == "least-core")
         saved = [one.saved_cents for one in gain.vehicles]
         value = value_of(problem, plan, saved)
         shares = [one.share_cents for one in gain.vehicles]
         for pair in permutations(range(14), 2):
             assert value(frozenset(pair)) - sum(shares[k] for k in pair) <= gain.worst_cents + 1e-5
+
+
+def test_a_plan_in_money_is_shared_by_the_rule_that_is_asked_for():
+    trips = [po.Trip("A", 0, 6), po.Trip("B", 1, 6), po.Trip("C", 0, 5)]
+    problem = po.Problem(corridor(), trips, po.MoneyCosts("eu"), share="least-core")
+    plan = po.solve(problem)
+    assert plan.gain == po.share_gain(plan, problem, "least-core").gain
+    assert plan.gain != po.share_gain(plan, problem, "equal").gain
+    assert plan.gain.gain_cents == plan.bill.saved_cents
+    assert po.solve(replace(problem, objective=po.PaperCosts())).gain is None
+    with pytest.raises(ScenarioError, match="share 'fair' is unknown"):
+        replace(problem, share="fair")
+
+
+def test_of_many_a_plan_says_that_groups_were_not_asked():
+    trips = [po.Trip(f"v{k}", k % 3, 4 + k % 3) for k in range(13)]
+    problem = po.Problem(corridor(), trips, po.MoneyCosts("eu"))
+    plan = po.solve(problem)
+    assert "what groups of 13 linked vehicles could gain was not worked out" in plan.gain.remark
+    assert (plan.gain.coalitions, plan.gain.worst_cents) == (0, None)
+    assert po.share_gain(plan, problem).gain.worst_cents is not None
 
 
 def test_a_vehicle_alone_shares_with_nobody():

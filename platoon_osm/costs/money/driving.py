@@ -210,10 +210,13 @@ class Driving:
         ndarray of float, (4, k)
             In the order of `TERMS`.
         """
-        prices = self.costs
         ids = np.arange(self.net.m) if edges is None else edges
         seconds = self.own_s[ids] if drive_s is None else drive_s
-        litres = self.litres(ids, seconds, air_saved)
+        return self._priced(ids, seconds, self.litres(ids, seconds, air_saved), following)
+
+    def _priced(self, ids: Index, seconds: Floats, litres: Floats, following: bool) -> Floats:
+        """Return what edges cost by the time and fuel that they take."""
+        prices = self.costs
         paid = prices.driver_per_h / 3600 * (prices.driver_following if following else 1.0)
         return np.array(
             [
@@ -223,6 +226,11 @@ class Driving:
                 prices.co2_per_t / 1000 * prices.to_wheel_kg_per_l * litres,
             ]
         )
+
+    @property
+    def told_sizes(self) -> tuple[int, ...]:
+        """The sizes whose places may cost unlike amounts, and one beyond; see `ByPlace`."""
+        return self.costs.told_sizes
 
     def solo(self) -> Floats:
         """Return what each edge costs alone.
@@ -253,18 +261,21 @@ class Driving:
         Share
             Cost, fuel and terms, as planned and alone.
         """
-        alone = self.amounts(edges).sum(axis=1)
-        alone_l = float(self.litres(edges).sum())
+        own_s = self.own_s[edges]
+        litres = self.litres(edges, own_s)
+        alone = self._priced(edges, own_s, litres, following=False).sum(axis=1)
+        alone_l = float(litres.sum())
         if size < 2:
             terms = tuple(alone.tolist())
             return Share(sum(terms), sum(terms), alone_l, alone_l, terms=terms, alone_terms=terms)
-        saved = self._air_saved(position, size)
-        joint = self.amounts(edges, drive_s, saved, following=position > 0).sum(axis=1)
+        seconds = own_s if drive_s is None else drive_s
+        litres = self.litres(edges, seconds, self._air_saved(position, size))
+        joint = self._priced(edges, seconds, litres, following=position > 0).sum(axis=1)
         terms, alone_terms = tuple(joint.tolist()), tuple(alone.tolist())
         return Share(
             sum(terms),
             sum(alone_terms),
-            float(self.litres(edges, drive_s, saved).sum()),
+            float(litres.sum()),
             alone_l,
             terms=terms,
             alone_terms=alone_terms,

@@ -24,7 +24,7 @@ from .trip_tables import read_trips
 
 __all__ = ["OPTION_KEYS", "read_scenario"]
 
-TEXT_KEYS = ("case", "optimum", "method", "master", "company", "lead", "rules")
+TEXT_KEYS = ("case", "optimum", "method", "master", "company", "lead", "rules", "share")
 NUMBER_KEYS = ("max_platoon", "patience_min", ACCESS_LIMIT, "task_relief")
 OTHER_KEYS = ("profile", "close", "delays", "robust")
 OPTION_KEYS = (*TEXT_KEYS, *NUMBER_KEYS, *OTHER_KEYS)
