@@ -254,7 +254,7 @@ def test_figures() -> None:
     assert signed("-0.04") == "\u22120.04"
     assert signed("-0.0") == "0.0"
     assert signed("3.1") == "+3.1"
-    assert cost_unit("EUR").full(-1234.5) == "\u20ac\u22121,234.50"
+    assert cost_unit("EUR").full(-1234.5) == "\u2212\u20ac1,234.50"
     assert cost_unit("m").full(12_345) == "12.3\u00a0km\u00a0eq."
     assert joined(list("ABCDEFGH")) == "A, B, C, D and 4 more"
     assert joined([]) == ""

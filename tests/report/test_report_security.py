@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from hostile_names import HOSTILE
+from money_plans import in_money
 from po_valley import THREE, make_plan, po_valley, two_platoons
 from soak import chosen, soaked
 
@@ -40,7 +41,7 @@ def hostile_case(name: str) -> tuple[JointPlan, RoadNetwork]:
         proof={"kind": name, "conditions": [name], name: name},
     )  # fmt: skip
     # The weights' preset stays readable, or the detour would not be known.
-    return replace(plan, params={**plan.params, name: name}), net
+    return in_money(replace(plan, params={**plan.params, name: name}), text=name), net
 
 
 @cache

@@ -2,7 +2,7 @@
 
 A record becomes an object with its fields in their order, a tuple an array, a line its short text;
 texts and None stay what they are, numbers keep nine digits. A field marked as not meant for readers
-is left out.
+is left out, and one marked so if it is None.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ def as_json(value: object) -> Any:
             one.name: as_json(getattr(value, one.name))
             for one in fields(value)
             if one.metadata.get("json", True)
+            and not (one.metadata.get("if there") and getattr(value, one.name) is None)
         }
     if isinstance(value, dict):
         return {name: as_json(item) for name, item in value.items()}

@@ -19,6 +19,7 @@ from ..drawing.basemap import network_lines
 from ..drawing.vehicle_styles import VehicleStyle
 from ..language.speech import speaking, spoken
 from .as_json import as_json
+from .bill_parts import bill_of, chances_of, gain_of
 from .checks import check_title
 from .event_marks import event_mark, told_events
 from .findings import Findings, find
@@ -147,6 +148,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
     around = surroundings(plane, stops)
     near = plan_frame(found)
     law = law_of(plan)
+    events = _events(found)
     return Document(
         format="platoon_osm report",
         version=DOCUMENT_VERSION,
@@ -177,7 +179,7 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         platoons=tuple(platoon_line(found, number) for number in range(len(found.platoons))),
         solos=tuple(solo_line(found, number) for number in range(len(found.solos))),
         traffic=traffic(found),
-        events=_events(found),
+        events=tuple(mark for _, mark in events),
         journey=rounded(found.scale),
         schedule=timeline(plan),
         law=law,
@@ -193,13 +195,19 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         provenance=around.told_in(provenance(plan, net, found.unit)),
         levels=found.levels,
         long_drives=() if law else long_drives(found),
+        bill=bill_of(plan),
+        gain=gain_of(plan),
+        chances=chances_of(plan, [number for number, _ in events]),
     )
 
 
-def _events(found: Findings) -> tuple[EventMark, ...]:
-    """Return merges and separations in driving order; if vehicles stand, all in order of time."""
-    marks = tuple(event_mark(found, number) for number in told_events(found))
-    pauses = pause_marks(found)
+def _events(found: Findings) -> list[tuple[int, EventMark]]:
+    """Return merges and separations in driving order; if vehicles stand, all in order of time.
+
+    Each with its position in the plan, -1 for a pause.
+    """
+    marks = [(number, event_mark(found, number)) for number in told_events(found)]
+    pauses = [(-1, pause) for pause in pause_marks(found)]
     if not pauses:
         return marks
-    return tuple(sorted((*marks, *pauses), key=lambda one: one.at_s or 0.0))
+    return sorted((*marks, *pauses), key=lambda one: one[1].at_s or 0.0)

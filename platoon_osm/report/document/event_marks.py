@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from ...plans.clock import duration
+from ...plans.chances import MeetingChance
+from ...plans.clock import MENTIONED_S, duration
 from ...plans.records import Event
 from ...shown_text import fitted, shortened, shown
-from ..language.speech import clock_time, say
+from ..language.speech import clock_time, number, say
 from ..markup.quantities import kilometres
 from .findings import Findings
 from .model_map import EventMark
@@ -13,7 +14,10 @@ from .stop_names import brief_name
 from .timeline import waits_at
 from .wording import MOST_NAMED, joined
 
-__all__ = ["event_mark", "told_events"]
+__all__ = ["event_mark", "likely", "told_events"]
+
+SELDOM = 0.005
+"""A chance nearer than this to 0 or 1 is not told as if it were certain."""
 
 
 def told_events(found: Findings) -> list[int]:
@@ -53,14 +57,49 @@ def _ends_with(found: Findings, vehicle: int, stretch: int) -> bool:
     return found.plan.ways[vehicle][-1] == stretch
 
 
-def event_mark(found: Findings, number: int) -> EventMark:
+def likely(chance: float) -> str:
+    """Return how likely something is, in whole percent.
+
+    Parameters
+    ----------
+    chance : float
+        Of 1.
+
+    Returns
+    -------
+    str
+        Nearer than half a percent to 0 or 1 it is told as "less than 1 %", "more than 99 %".
+    """
+    if chance < SELDOM:
+        return say("chances.seldom", share=say("form.percent", number=number(1)))
+    if chance > 1 - SELDOM:
+        return say("chances.often", share=say("form.percent", number=number(99)))
+    return say("form.percent", number=number(chance * 100))
+
+
+def _not_there(found: Findings, event: Event, chance: MeetingChance) -> str:
+    """Return how long to wait for each other, and what it costs not to meet."""
+    first = event.others or event.movers
+    if chance.wait_up_to_s >= MENTIONED_S:
+        key, time = "chances.wait-up-to", duration(chance.wait_up_to_s)
+    else:
+        key, time = "chances.no-wait", ""
+    parts = [say(key, n=len(first), who=joined(found.letters(first)), time=time)]
+    if chance.expected_wait_s >= MENTIONED_S:
+        parts.append(say("chances.expected-wait", time=duration(chance.expected_wait_s)))
+    if chance.missed_cost > 0:
+        parts.append(say("chances.missed", cost=found.unit.full(chance.missed_cost)))
+    return ", ".join(parts)
+
+
+def event_mark(found: Findings, place: int) -> EventMark:
     """Return one event of a plan.
 
     Parameters
     ----------
     found : Findings
         Of the plan.
-    number : int
+    place : int
         Its position among the events.
 
     Returns
@@ -68,9 +107,14 @@ def event_mark(found: Findings, number: int) -> EventMark:
     EventMark
         All that pages show of it.
     """
-    event, at_s = found.plan.events[number], found.moments[number]
+    event, at_s = found.plan.events[place], found.moments[place]
     point = event.point
-    details = (_detail(found, event), _waiting(found, event, at_s))
+    chance = found.plan.chances.of_event(place) if found.plan.chances else None
+    details = [_detail(found, event), _waiting(found, event, at_s)]
+    text = _text(found, event, at_s)
+    if chance is not None:
+        text = say("chances.beside", what=text, chance=likely(chance.chance))
+        details.append(_not_there(found, event, chance))
     return EventMark(
         kind=event.kind,
         lon=round(found.longitude(point.lon), 6),
@@ -80,7 +124,7 @@ def event_mark(found: Findings, number: int) -> EventMark:
         others=event.others,
         at_m=_on_scale(found, event),
         at_s=None if at_s is None else round(at_s, 1),
-        text=_text(found, event, at_s),
+        text=text,
         detail=", ".join(text for text in details if text),
     )
 

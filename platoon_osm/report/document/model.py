@@ -9,6 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from ...plans.bill import Bill
+from ...plans.chances import Chances
+from ...plans.gain import GainSharing
 from ..drawing.lines import Line
 from ..ground.model import Ground
 from .model_day import DaySchedule, JourneyScale, LongDrive
@@ -39,6 +42,9 @@ __all__ = [
 
 NOT_IN_JSON = {"json": False}
 """Marks a field that drawings need and readers of the JSON do not."""
+
+IF_THERE = {"if there": True}
+"""Marks a field that the JSON has only where it is not None."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +126,7 @@ class Totals:
     extra_m : float
         How much further all vehicles drive together than alone.
     figures : tuple of Figure
-        The three at the head of the page.
+        The three at the head of the page; of money what is saved, fuel and CO2e.
     text : CostTexts
         The costs as they are printed.
     """
@@ -265,6 +271,12 @@ class Document:
         Where each vehicle starts on the scale of its own group; None if that has none.
     long_drives : tuple of LongDrive
         Who drives beyond 4 h 30 without a break.
+    bill : Bill or None
+        What vehicles pay for what; None where costs are no money.
+    gain : GainSharing or None
+        Who gets what is saved; None where it is not shared.
+    chances : Chances or None
+        How likely merges are, their events those of the document; None without delays.
     """
 
     format: str
@@ -294,6 +306,9 @@ class Document:
     provenance: Provenance
     levels: tuple[float | None, ...] = field(metadata=NOT_IN_JSON)
     long_drives: tuple[LongDrive, ...] = field(metadata=NOT_IN_JSON)
+    bill: Bill | None = field(default=None, metadata=IF_THERE)
+    gain: GainSharing | None = field(default=None, metadata=IF_THERE)
+    chances: Chances | None = field(default=None, metadata=IF_THERE)
 
     def piece_m(self, kind: str, piece: int) -> float:
         """Return the length of a piece of a vehicle's way.

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from ...plans.bill import Bill
+from ...plans.paid import paid, saved_part
 from ...shown_text import fitted, shortened, shown
 from ..drawing.crowd import CROWD
 from ..language.speech import number, say
-from ..markup.quantities import clock_span, kilometres, litres, percent, true_minus
+from ..markup.quantities import carbon, clock_span, kilometres, litres, percent, true_minus
 from .event_marks import told_events
 from .findings import Findings
 from .model import Figure, Group, Totals
@@ -70,6 +72,11 @@ def subtitle_of(found: Findings) -> str:
         parts.append(say("totals.merges", n=merges))
     if separations:
         parts.append(say("totals.separations", n=separations))
+    if found.plan.bill is not None and found.groups:
+        # Money heads the page then, in the place of these.
+        parts.append(say("totals.road-in-platoon", length=kilometres(found.plan.platoon_road_m)))
+        if (table := found.plan.timetable) is not None:
+            parts.append(say("totals.waiting-time", time=clock_span(all_waited_s(table))))
     return ", ".join(parts)
 
 
@@ -91,8 +98,11 @@ def totals(found: Findings) -> Totals:
     alone_l = sum(vehicle.alone.fuel_l for vehicle in plan.vehicles)
     saved_l = alone_l - sum(vehicle.fuel_l for vehicle in plan.vehicles)
     extra_m = sum(vehicle.length_m - vehicle.alone.length_m for vehicle in plan.vehicles)
+    alone, joint = paid(plan)
     figures: tuple[Figure, ...]
-    if found.groups:
+    if found.groups and plan.bill is not None:
+        figures = _money_figures(found, plan.bill)
+    elif found.groups:
         figures = (
             _saving(found),
             Figure(
@@ -105,25 +115,58 @@ def totals(found: Findings) -> Totals:
     else:
         figures = _figures_alone(found)
     return Totals(
-        solo_cost=plan.solo_cost,
-        joint_cost=plan.joint_cost,
-        saving=plan.saving,
+        solo_cost=alone,
+        joint_cost=joint,
+        saving=saved_part(plan),
         platoon_road_m=road_m,
         platoon_m=plan.platoon_m,
         fuel_saved_l=saved_l,
         extra_m=extra_m,
         figures=figures,
-        text=cost_texts(plan.solo_cost, plan.joint_cost, found.unit),
+        text=cost_texts(alone, joint, found.unit),
+    )
+
+
+def _money_figures(found: Findings, bill: Bill) -> tuple[Figure, ...]:
+    """Return what is saved in money, fuel and CO2e."""
+    alone, joint = paid(found.plan)
+    alone_l = sum(one.alone_fuel_l for one in bill.vehicles) or 1.0
+    in_time = found.plan.timetable is None or found.plan.timetable.feasible
+    chances = found.plan.chances
+    share = true_minus(percent(saved_part(found.plan)))
+    label = say("totals.saved-share", share=share)
+    if chances is not None:
+        expected = found.unit.full(chances.expected_saving)
+        label = say("totals.saved-expected", share=share, expected=expected)
+    to_wheel, from_well = bill.saved_kg
+    fuel_share = true_minus(percent(bill.saved_fuel_l / alone_l))
+    return (
+        Figure(
+            found.unit.full(alone - joint),
+            label,
+            "good" if alone > joint and in_time else "plain",
+        ),
+        Figure(
+            true_minus(litres(bill.saved_fuel_l)),
+            say("totals.fuel-saved-share", share=fuel_share),
+            "plain",
+        ),
+        Figure(
+            true_minus(carbon(from_well)),
+            say("totals.carbon", mass=true_minus(carbon(to_wheel))),
+            "plain",
+        ),
     )
 
 
 def _saving(found: Findings) -> Figure:
     """Return what is saved: no success if somebody is late for it."""
     plan, table = found.plan, found.plan.timetable
-    saved = plan.solo_cost - plan.joint_cost
+    alone, joint = paid(plan)
+    saved = alone - joint
     in_time = table is None or table.feasible
     return Figure(
-        true_minus(percent(plan.saving)),
+        true_minus(percent(saved_part(plan))),
         say("totals.saved", cost=found.unit.full(saved)),
         "good" if saved > 0 and in_time else "plain",
     )
@@ -135,7 +178,7 @@ def _figures_alone(found: Findings) -> tuple[Figure, ...]:
     length_m = sum(vehicle.length_m for vehicle in plan.vehicles)
     time_s = sum(vehicle.time_s for vehicle in plan.vehicles)
     fuel_l = sum(vehicle.fuel_l for vehicle in plan.vehicles)
-    cost = say("totals.cost", cost=found.unit.full(plan.joint_cost))
+    cost = say("totals.cost", cost=found.unit.full(paid(plan)[1]))
     return (
         Figure(kilometres(length_m), say("totals.to-drive"), "plain"),
         Figure(clock_span(time_s), say("totals.driving"), "plain"),
@@ -184,8 +227,7 @@ def groups(found: Findings) -> Iterator[Group]:
     for rank, (kind, members) in enumerate(kinds, 1):
         # The vehicles of a platoon share one road: its length counts once.
         road_m = sum(one.length_m for one in found.platoons if one.vehicles[0] in members)
-        before = sum(vehicles[index].solo_cost for index in members)
-        after = sum(vehicles[index].joint_cost for index in members)
+        before, after = paid(found.plan, members)
         facts = say("totals.vehicles", n=len(members))
         if len(members) > 1:
             facts += f" ({joined(found.letters(members))})"

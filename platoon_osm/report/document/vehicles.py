@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from ...plans.paid import paid
 from ...plans.records import Stop as PlannedStop
-from ...plans.vehicles import VehiclePlan
+from ...plans.vehicles import VehiclePlan, saved_share
 from ...shown_text import fitted
 from ..language.plan_sentences import in_language
 from ..language.speech import say
 from ..markup.quantities import kilometres
+from .bill_parts import stood_cents
 from .driver_fatigue import fatigue_along
 from .findings import Findings
 from .model_vehicle import Stop, Vehicle, VehicleTexts
@@ -55,7 +57,8 @@ def vehicle(found: Findings, index: int) -> Vehicle:
     """
     plan, unit, own = found.plan, found.unit, found.plan.vehicles[index]
     style = found.styles[index]
-    saved = own.solo_cost - own.joint_cost
+    solo_cost, joint_cost = paid(plan, (index,))
+    saved = solo_cost - joint_cost
     detour = platoon_gain = None
     alone = [leg.alone_cost for leg in own.legs if leg.alone_cost is not None]
     if len(alone) == len(own.legs):
@@ -63,11 +66,14 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         detour = sum(alone) - own.solo_cost
         # The last digits of two sums of the same roads are no detour.
         detour = detour if detour > LAST_DIGITS * own.solo_cost else 0.0
+        if plan.bill is not None:
+            # To the cent, as all that is printed; standing for company costs as a longer way does.
+            detour = round(detour, 2) + max(stood_cents(plan.bill, index), 0) / 100
         platoon_gain = saved + detour
     name = fitted(own.vehicle)
     # Whose route nobody joins is no master.
     role = own.role if any(leg.role == "platoon" for leg in own.legs) else "alone"
-    costs = cost_texts(own.solo_cost, own.joint_cost, unit)
+    costs = cost_texts(solo_cost, joint_cost, unit)
     inferred_m = own.inferred_m
     return Vehicle(
         name=name if name != style.letter else "",
@@ -89,10 +95,10 @@ def vehicle(found: Findings, index: int) -> Vehicle:
         access_text=_access(own),
         fuel_l=own.fuel_l,
         alone_fuel_l=own.alone.fuel_l,
-        solo_cost=own.solo_cost,
-        joint_cost=own.joint_cost,
+        solo_cost=solo_cost,
+        joint_cost=joint_cost,
         saved=saved,
-        saving=own.saving,
+        saving=saved_share(joint_cost, solo_cost),
         platoon_gain=platoon_gain,
         detour=detour,
         reason=fitted(in_language(own.reason)),

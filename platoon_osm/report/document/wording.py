@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...plans.paid import paid
 from ...plans.plan import Plan
 from ..language.speech import say
 from ..markup.quantities import CostUnit, cost_unit, percent, signed
@@ -50,9 +51,10 @@ def plan_unit(plan: Plan, largest: float | None = None) -> CostUnit:
     Returns
     -------
     CostUnit
-        Without decimals where sums are large.
+        Without decimals where sums are large; of a bill always to the cent.
     """
-    return cost_unit(plan.unit, plan.solo_cost if largest is None else largest)
+    most = paid(plan)[0] if largest is None else largest
+    return cost_unit(plan.unit, most, to_the_cent=plan.bill is not None)
 
 
 def cost_texts(alone: float, joint: float, unit: CostUnit) -> CostTexts:

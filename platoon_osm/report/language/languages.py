@@ -124,6 +124,12 @@ class Language:
         return format_skeleton("yMMMEd", moment.replace(tzinfo=None), locale=self.locale)
 
     @property
+    def currency_first(self) -> bool:
+        """Whether the sign of a currency stands before an amount."""
+        pattern: str = self.locale.currency_formats["standard"].pattern
+        return pattern.startswith("\u00a4")
+
+    @property
     def of_script(self) -> dict[str, Text]:
         """The texts that the script of a page uses, by the rest of their keys."""
         return {

@@ -35,6 +35,7 @@ __all__ = [
 
 FRAGMENT_FILES = (
     "panel.html",
+    "money.html",
     "legend.html",
     "map.svg.html",
     "charts.html",

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from ...plans.clock import whole_minutes
 from ...plans.cost_decimals import cost_decimals
 from ...shown_text import shortened, shown
-from ..language.speech import number, say
+from ..language.speech import number, say, spoken
 
 __all__ = [
     "MINUS",
     "CostUnit",
+    "carbon",
     "clock_span",
     "cost_unit",
     "gain_or_loss",
@@ -23,6 +24,9 @@ __all__ = [
 ]
 
 MINUS = "\u2212"
+
+CENTS = 2
+"""Decimals of money told to the cent."""
 
 
 def signed(text: str) -> str:
@@ -129,6 +133,22 @@ def clock_span(seconds: float) -> str:
     return f"{number(hours)}:{minutes:02d} h" if hours else f"{minutes} min"
 
 
+def carbon(mass_kg: float) -> str:
+    """Return a mass of CO2e as "105 kg", with a decimal below 10 kg.
+
+    Parameters
+    ----------
+    mass_kg : float
+        In kilograms.
+
+    Returns
+    -------
+    str
+        With its unit.
+    """
+    return f"{number(mass_kg, 1 if abs(mass_kg) < 9.95 else 0)}\u00a0kg"
+
+
 def percent(share: float) -> str:
     """Return a share (0.013) as "1.3 %".
 
@@ -213,10 +233,17 @@ class CostUnit:
         str
             As it is printed.
         """
-        return f"{self.before}{self.bare(cost)}{self.after}"
+        text = self.bare(cost)
+        if self.before and text.startswith(MINUS):
+            return f"{MINUS}{self.before}{text[1:]}{self.after}"
+        return f"{self.before}{text}{self.after}"
 
 
-def cost_unit(unit: str, largest: float = 0.0) -> CostUnit:
+SYMBOLS = {"EUR": "\u20ac", "USD": "$"}
+"""Of money; any other is called by its name, which stands behind an amount."""
+
+
+def cost_unit(unit: str, largest: float = 0.0, *, to_the_cent: bool = False) -> CostUnit:
     """Return how costs of a plan are printed.
 
     Parameters
@@ -225,19 +252,23 @@ def cost_unit(unit: str, largest: float = 0.0) -> CostUnit:
         The plan's: "m", "EUR", or any other.
     largest : float
         The largest cost that is printed; where it is large, no cost has decimals.
+    to_the_cent : bool
+        Whether costs are whole cents, all of which are printed, so that they add up.
 
     Returns
     -------
     CostUnit
         How they are printed.
     """
-    decimals = cost_decimals(unit, largest)
+    decimals = CENTS if to_the_cent else cost_decimals(unit, largest)
     if unit == "m":
         label = say("unit.km")
         after = "\u00a0" + label.replace(" ", "\u00a0")
         return CostUnit(label, say("unit.km-note"), 1e-3, decimals, "", after)
-    if unit == "EUR":
-        return CostUnit("\u20ac", "", 1.0, decimals, "\u20ac", "")
+    if symbol := SYMBOLS.get(unit):
+        if spoken().currency_first:
+            return CostUnit(symbol, "", 1.0, decimals, symbol, "")
+        return CostUnit(symbol, "", 1.0, decimals, "", f"\u00a0{symbol}")
     name = shortened(shown(unit), 12)
     return CostUnit(
         name or say("unit.cost"), "", 1.0, decimals, "", f"\u00a0{name}" if name else ""

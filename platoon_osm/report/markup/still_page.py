@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from .fragments import Piece, Tree, compact_asset, page_texts, written, written_page
 from .security import policy
 
-__all__ = ["PAGE_STYLES", "still_page"]
+__all__ = ["MONEY_STYLE", "PAGE_STYLES", "still_page"]
 
 PAGE_STYLES = (
     "theme.css",
@@ -19,6 +19,9 @@ PAGE_STYLES = (
     "print.css",
 )
 """Style sheets of all pages with a map and a panel, in their order: later rules win."""
+
+MONEY_STYLE = "money.css"
+"""Of a page of a plan in money, behind those."""
 
 
 def still_page(title: str, body: Tree, styles: Sequence[str], scripts: Sequence[str] = ()) -> str:

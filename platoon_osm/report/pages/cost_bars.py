@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..charts.axes import WIDTH
+from ..document.bill_parts import stood_cents
 from ..document.model import Document
 from ..document.model_vehicle import Vehicle
 from ..language.speech import say
@@ -52,6 +53,7 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
     vehicles = [document.vehicles[index] for index in members]
     split = all(vehicle.detour is not None for vehicle in vehicles)
     both = [_gain_and_loss(vehicle, split) for vehicle in vehicles]
+    longer = say("bars.longer-waiting" if _pays_for_time(document) else "bars.longer")
     most_gain, most_loss = (max(values) for values in zip(*both, strict=True))
     if most_gain + most_loss <= 0:
         return NOTHING
@@ -62,7 +64,7 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
     if most_loss > 0:
         label_room = max(
             _room([one.text.detour for one in vehicles], DIGIT) + 5,
-            _room([say("bars.longer")], DIGIT) - BARS_LEFT,
+            _room([longer], DIGIT) - BARS_LEFT,
         )
     gain_room = _room([one.text.gain for one in vehicles], DIGIT) + 6 if split else 0.0
     room = right - BARS_LEFT - label_room
@@ -80,7 +82,7 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
     if split:
         heads.append((f"{zero + 6:.1f}", "start", say("bars.gained")))
         if most_loss > 0:
-            heads.append((f"{zero - 6:.1f}", "end", say("bars.longer")))
+            heads.append((f"{zero - 6:.1f}", "end", longer))
     else:
         heads.append((f"{zero + 6:.1f}", "start", say("bars.saved")))
     title = say("bars.split" if split else "bars.plain", unit=document.cost_unit.label)
@@ -99,6 +101,14 @@ def cost_bars(document: Document, members: Sequence[int], key: str = "") -> Tree
             ),
             "rows": tuple(rows),
         },
+    )
+
+
+def _pays_for_time(document: Document) -> bool:
+    """Return whether somebody pays for standing or being late, which the losses then hold."""
+    bill = document.bill
+    return bill is not None and any(
+        stood_cents(bill, index) > 0 for index in range(len(document.vehicles))
     )
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ...network.road_network import RoadNetwork
 from ...plans.credits import UNKNOWN_SOURCE
+from ...plans.paid import paid
 from ...plans.plan import Plan
 from ...shown_text import fitted
 from ..document.checks import check_is_plan
@@ -97,12 +98,12 @@ def plan_table(plan: Plan) -> str:
                 "cells": shown.cells(
                     kilometres(one.length_m),
                     kilometres(one.platoon_m),
-                    cost_texts(one.solo_cost, one.joint_cost, unit),
+                    cost_texts(*paid(plan, (index,)), unit),
                     by,
                 ),
             },
         )
-        for name, one, by in zip(names, vehicles, late, strict=True)
+        for index, (name, one, by) in enumerate(zip(names, vehicles, late, strict=True))
     ]
     return written(
         Piece(
@@ -123,7 +124,7 @@ def plan_table(plan: Plan) -> str:
                 "totals": shown.cells(
                     kilometres(sum(one.length_m for one in vehicles)),
                     kilometres(plan.platoon_m),
-                    cost_texts(plan.solo_cost, plan.joint_cost, unit),
+                    cost_texts(*paid(plan), unit),
                     "",
                 ),
             },

@@ -2,7 +2,7 @@
 
 The script of the page puts them back (scene.js), so that it works on the document as
 docs/report.md has it; but for the fatigue and the law's clocks along the day, which still charts
-alone show.
+alone show, and bill, gain and chances, which stand in tables.
 """
 
 from __future__ import annotations
@@ -39,6 +39,8 @@ def page_data(document: Document, tiles: Tiles | None) -> str:
     """
     whole = as_json(document)
     whole["law"] = None
+    for table in ("bill", "gain", "chances"):
+        whole.pop(table, None)
     for vehicle in whole["vehicles"]:
         del vehicle["fatigue"]
     return json_for_html(

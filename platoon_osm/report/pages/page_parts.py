@@ -19,7 +19,7 @@ from ..markup.fragments import (
 )
 from ..markup.leaflet import Leaflet
 from ..markup.security import policy
-from ..markup.still_page import PAGE_STYLES
+from ..markup.still_page import MONEY_STYLE, PAGE_STYLES
 from ..markup.style_classes import with_style_classes
 from .online_map import Tiles
 from .page_data import page_data
@@ -143,9 +143,10 @@ class PageParts:
     def _spoken(self, map_id: str, header: str, extra: str, script: str) -> str:
         own = "".join(compact_asset(name) for name in SCRIPTS)
         scripts = [self.leaflet.script, f"{script.strip()}\n{own}"]
-        own_style = "".join(
-            compact_asset(name) for name in (*PAGE_STYLES, "schedule.css", "selection.css")
-        )
+        names = [*PAGE_STYLES, "schedule.css", "selection.css"]
+        if self.document.bill is not None or self.document.gain is not None:
+            names.append(MONEY_STYLE)
+        own_style = "".join(map(compact_asset, names))
         live_map = Piece("live-map", {"id": map_id})
         languages, times = self._languages(), (self.curve, self.frontier)
         drawn = written(page_body(self.document, live_map, languages, *times))

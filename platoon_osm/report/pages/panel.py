@@ -24,6 +24,7 @@ from ..markup.fragments import NOTHING, Piece, Tree
 from .cost_bars import cost_bars
 from .cost_table import cost_table, overview, wide_sums
 from .legend import legend
+from .money_tables import money_tables
 from .page_pieces import about, badge, costs_of, credit_lines, heading, opening, unit_note
 
 __all__ = ["page_body"]
@@ -73,6 +74,7 @@ def page_body(
             "journey": _journey(document),
             "vehicles": _vehicles(document),
             "fatigue": (
+                *money_tables(document),
                 law_chart(document),
                 fatigue_chart(document),
                 driving_note(document),
