@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from .bill import Bill
+from .gain_lines import gain_lines
+from .money_text import money
 from .plan import Plan
-from .text_table import named
 
-__all__ = ["bill_lines", "money"]
+__all__ = ["bill_lines"]
 
 NAMES = {
     "fuel": "fuel",
@@ -16,24 +17,6 @@ NAMES = {
     "waiting": "waiting",
     "delay": "delay",
 }
-
-
-def money(cents: int, currency: str) -> str:
-    """Return an amount with its currency.
-
-    Parameters
-    ----------
-    cents : int
-        The amount.
-    currency : str
-        ISO 4217 code.
-
-    Returns
-    -------
-    str
-        As "1,234.50 EUR".
-    """
-    return f"{cents / 100:,.2f} {currency}"
 
 
 def bill_lines(plan: Plan) -> list[str]:
@@ -52,14 +35,7 @@ def bill_lines(plan: Plan) -> list[str]:
     bill = plan.bill
     if bill is None:
         return []
-    lines = [_terms(bill), _saved(bill)]
-    if plan.gain is not None:
-        shares = ", ".join(
-            f"{named(trip.vehicle)} {money(one.share_cents, bill.currency)}"
-            for trip, one in zip(plan.trips, plan.gain.vehicles, strict=True)
-        )
-        lines.append(f"Of the gain have: {shares}.")
-    return lines
+    return [_terms(bill), _saved(bill), *gain_lines(plan)]
 
 
 def _terms(bill: Bill) -> str:

@@ -46,7 +46,8 @@ class GainSharing:
         How many groups of vehicles were asked what they could gain by themselves.
     worst_cents : float or None
         The most that any of them could gain beyond its shares; 0 or less if none has a reason to
-        leave. None if none was asked.
+        leave. Where many vehicles are linked, a bound for all groups, none being asked one by one.
+        None if it was not worked out.
     manner : str
         How their gains were worked out: "planned anew" or "on the planned roads".
     remark : str
