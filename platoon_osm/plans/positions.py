@@ -63,6 +63,8 @@ class LeadRun:
         How far it leads [m].
     from_m : float
         From where on its own way [m].
+    start_s : float or None
+        When it begins, in seconds from the start of the timetable; None without times.
     begins, ends : str
         What the places are called where it begins and ends.
     """
@@ -70,6 +72,7 @@ class LeadRun:
     vehicle: int
     length_m: float
     from_m: float
+    start_s: float | None
     begins: str
     ends: str
 
@@ -192,6 +195,6 @@ def _run(plan: Plan, span: PositionSpan, places: Mapping[tuple[int, int], str]) 
     if after < len(way):
         to = places[span.vehicle, way[after]]
     return LeadRun(
-        span.vehicle, span.to_m - span.from_m, span.from_m, places[span.vehicle, way[span.first]],
-        to,
+        span.vehicle, span.to_m - span.from_m, span.from_m, span.start_s,
+        places[span.vehicle, way[span.first]], to,
     )  # fmt: skip

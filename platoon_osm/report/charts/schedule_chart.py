@@ -30,6 +30,12 @@ PAUSES = {
 PAUSE_SIZE = 11.0
 """Of the type in a box."""
 
+DISC = 7.0
+"""What a disc has around the number in it."""
+
+ICON = 7.5
+"""Half of what the icon of a merge or a separation takes."""
+
 SIGN = 11.0
 """A driving ban this wide bears its sign."""
 
@@ -190,6 +196,7 @@ def schedule_notes(document: Document, members: Sequence[int]) -> str:
         "schedule.hatched": "wait" in stands,
         **{key: kind in stands for kind, key in PAUSES.items()},
         "schedule.dotted": any(one.text.held for one in days),
+        "schedule.position": any(document.positions[index] for index in members),
         "schedule.bar": any(one.latest_arrival_s is not None for one in days),
     }
     return " ".join(say(key) for key, is_shown in shown.items() if is_shown)
@@ -260,16 +267,13 @@ def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
     for one in times.stands:
         if one.lasts_s >= MENTIONED_S:
             yield _stand(one, axis)
+    yield from _positions(document, index, axis)
     yield Piece("schedule-start", {"x": axis.at(times.departure_s), "colour": vehicle.colour})
     yield Piece(
         "schedule-end", {"x": f"{axis.x(times.arrival_s) - 4:.1f}", "colour": vehicle.colour}
     )
-    for event in document.events:
-        if index in event.vehicles and event.at_s is not None and not event.stands:
-            # Within the band: a wait ends where it begins, and would be covered.
-            aside = 7 if event.kind == "merge" else -7
-            x = axis.x(event.at_s) + aside
-            yield Piece("schedule-point", {"x": f"{x:.1f}", "icon": event.kind})
+    for icon, x in _points(document, index, axis):
+        yield Piece("schedule-point", {"x": f"{x:.1f}", "icon": icon})
     latest = times.latest_arrival_s
     if latest is not None and axis.begin <= latest <= axis.end:
         late = times.is_late
@@ -281,6 +285,39 @@ def _shapes(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
                 "width": "2.4" if late else "1.4",
             },
         )
+
+
+def _points(document: Document, index: int, axis: _Axis) -> Iterator[tuple[str, float]]:
+    """Yield where a vehicle merges and separates: the icon, and where it is drawn."""
+    for event in document.events:
+        if index in event.vehicles and event.at_s is not None and not event.stands:
+            # Within the band: a wait ends where it begins, and would be covered.
+            yield event.kind, axis.x(event.at_s) + (7 if event.kind == "merge" else -7)
+
+
+def _positions(document: Document, index: int, axis: _Axis) -> Iterator[Piece]:
+    """Yield the position in the platoon where there is room for it; who leads is set off."""
+    points = [x for _, x in _points(document, index, axis)] if document.positions[index] else []
+    for one in document.positions[index]:
+        text = str(one.position)
+        room = text_width(text, PAUSE_SIZE, True) + DISC
+        low, high = axis.x(one.begin_s), axis.x(one.end_s)
+        for x in points:
+            if low < x < high:
+                low, high = (x + ICON, high) if x - low < high - x else (low, x - ICON)
+        if high - low >= room:
+            leads = one.position == 1
+            yield Piece(
+                "schedule-position",
+                {
+                    "x": f"{(low + high) / 2:.1f}",
+                    "from": f"{-room / 2:.1f}",
+                    "width": f"{room:.1f}",
+                    "text": text,
+                    "fill": INK if leads else CASING,
+                    "colour": CASING if leads else INK,
+                },
+            )
 
 
 def _width(axis: _Axis, begin: float, end: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from ...plans.clock import MENTIONED_S, Clock
@@ -30,6 +31,9 @@ LOOKS: dict[str, dict[str, Any]] = {
     "change": {"color": INK, "edgecolor": INK, "linewidth": 0.6},
 }
 """What each kind of standing looks like, here and in the diagram of time and distance."""
+
+LONGEST_LINE = 95
+"""Characters of the legend in a line, where it tells of positions too."""
 
 LEAST_TEXT = 0.035
 """A box at least this share of the axis wide bears its text."""
@@ -79,6 +83,26 @@ def draw_schedule(
         for one in times.stands:
             if one.lasts_s >= MENTIONED_S:
                 draw_stand(axes, one, row, schedule.end_s - schedule.begin_s)
+        for place in document.positions[row]:
+            if place.end_s - place.begin_s >= LEAST_TEXT * (schedule.end_s - schedule.begin_s):
+                leads = place.position == 1
+                axes.text(
+                    (place.begin_s + place.end_s) / 2,
+                    row,
+                    str(place.position),
+                    ha="center",
+                    va="center_baseline",
+                    fontsize=6.5,
+                    fontweight="bold",
+                    color=PAPER if leads else INK,
+                    zorder=3,
+                    bbox={
+                        "boxstyle": "round,pad=0.2",
+                        "facecolor": INK if leads else PAPER,
+                        "edgecolor": INK,
+                        "linewidth": 0.6,
+                    },
+                )
         axes.plot([times.departure_s], [row], "o", color=colour, markersize=5)
         axes.plot([times.arrival_s], [row], "s", color=colour, markersize=5)
         late = times.is_late
@@ -108,6 +132,8 @@ def draw_schedule(
     axes.set_xticks([moment for moment, _ in ticks], texts)
     zone = schedule.zone_of(schedule.begin_s, schedule.end_s)
     legend = schedule_notes(document, range(len(vehicles)))
+    if any(document.positions):
+        legend = fill(legend, LONGEST_LINE)
     axes.set_xlabel(say("schedule.axis", day=schedule.text.day, zone=zone) + f"\n{legend}")
 
 

@@ -25,6 +25,7 @@ from .event_marks import event_mark, told_events
 from .findings import Findings, find
 from .journey import rounded
 from .law_clocks import law_of
+from .lead_marks import lead_turns, position_marks
 from .long_drives import long_drives
 from .map_lines import inferred_routes, platoon_line, solo_line
 from .model import CostLabel, Document
@@ -195,6 +196,8 @@ def _document(found: Findings, plan: Plan, net: RoadNetwork, title: str | None) 
         provenance=around.told_in(provenance(plan, net, found.unit)),
         levels=found.levels,
         long_drives=() if law else long_drives(found),
+        leads=lead_turns(found),
+        positions=position_marks(found.plan),
         bill=bill_of(plan),
         gain=gain_of(plan),
         chances=chances_of(plan, [number for number, _ in events]),

@@ -16,6 +16,7 @@ from ..drawing.lines import Line
 from ..ground.model import Ground
 from .model_day import DaySchedule, JourneyScale, LongDrive
 from .model_law import Law
+from .model_lead import LeadTurn, PositionMark
 from .model_map import (
     Basemap,
     EventMark,
@@ -271,6 +272,10 @@ class Document:
         Where each vehicle starts on the scale of its own group; None if that has none.
     long_drives : tuple of LongDrive
         Who drives beyond 4 h 30 without a break.
+    leads : tuple of LeadTurn
+        Who leads from where on, where the lead is handed on.
+    positions : tuple of tuple of PositionMark
+        The positions of each vehicle on the clock, where the lead is handed on.
     bill : Bill or None
         What vehicles pay for what; None where costs are no money.
     gain : GainSharing or None
@@ -306,6 +311,8 @@ class Document:
     provenance: Provenance
     levels: tuple[float | None, ...] = field(metadata=NOT_IN_JSON)
     long_drives: tuple[LongDrive, ...] = field(metadata=NOT_IN_JSON)
+    leads: tuple[LeadTurn, ...] = field(metadata=NOT_IN_JSON)
+    positions: tuple[tuple[PositionMark, ...], ...] = field(metadata=NOT_IN_JSON)
     bill: Bill | None = field(default=None, metadata=IF_THERE)
     gain: GainSharing | None = field(default=None, metadata=IF_THERE)
     chances: Chances | None = field(default=None, metadata=IF_THERE)

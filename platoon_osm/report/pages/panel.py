@@ -163,7 +163,7 @@ def _parts(
         ),
         "bars": bars,
         "along": _way(document, members, key) if together else NOTHING,
-        "events": _events(document, members, key),
+        "events": (_events(document, members, key), _leads(document, members, key)),
     }
 
 
@@ -208,6 +208,24 @@ def _events(document: Document, members: Sequence[int], key: str = "") -> Tree:
         if found
         else (NOTHING)
     )
+
+
+def _leads(document: Document, members: Sequence[int], key: str = "") -> Tree:
+    """Return who leads from where on, where the lead is handed on."""
+    found = tuple(
+        Piece(
+            "lead",
+            {
+                "badge": badge(document.vehicles[one.vehicle]),
+                "name": one.name,
+                "text": one.text,
+                "detail": one.detail,
+            },
+        )
+        for one in document.leads
+        if one.vehicle in members
+    )
+    return Piece("leads", {"key": key, "items": found}) if found else NOTHING
 
 
 def _notes(document: Document) -> Tree:

@@ -79,6 +79,8 @@ class Step:
         Why the vehicle stands here, in order of time.
     turn : int or None
         Which of two drivers, 1 or 2, drives from here on; None if that is no news.
+    lead : tuple of int, (2,), or None
+        Who leads from here on, and who led until here; None if that is no news.
     """
 
     place: Stop | PlatoonPoint
@@ -93,6 +95,7 @@ class Step:
     without: GoingOn | None = None
     halts: tuple[Halt, ...] = ()
     turn: int | None = None
+    lead: tuple[int, int] | None = None
 
     @property
     def pauses(self) -> tuple[Halt, ...]:
@@ -179,6 +182,7 @@ def steps_of(
             without=going_on(plan, net, index, number, patience_s) if joined else None,
             halts=stands,
             turn=turn,
+            lead=_lead(plan, came, goes),
         )
         if found and after is not None and not _tells(step, found[-1], came, goes):
             found[-1] = replace(found[-1], way=_longer(found[-1].way, step.way))
@@ -189,6 +193,13 @@ def steps_of(
 
 def _order(stretch: Stretch | None, index: int) -> Company:
     return (index,) if stretch is None else stretch.vehicles
+
+
+def _lead(plan: Plan, came: Company, goes: Company) -> tuple[int, int] | None:
+    """Return who takes the lead from whom, in a plan whose lead is handed on."""
+    if plan.rotation is None or min(len(came), len(goes)) < 2 or came[0] == goes[0]:
+        return None
+    return goes[0], came[0]
 
 
 def _tells(step: Step, last: Step, came: Company, goes: Company) -> bool:
@@ -255,12 +266,16 @@ def _place(
         or (event.kind == "separation" and left and number and event.stretch == way[number - 1])
     ]
     mine = [event for event in events if index in event.movers and event.others]
+    changes = () if plan.rotation is None else plan.rotation.changes
     if number == 0:
         return plan.trips[index].origin, bool(mine)
     if number == len(way):
         return plan.trips[index].destination, bool(mine)
     for event in (*mine, *events):
         return event.point, bool(mine)
+    for change in changes:
+        if change.stretch == way[number]:
+            return change.point, False
     return _between(plan, net, way[number - 1], way[number]), False
 
 

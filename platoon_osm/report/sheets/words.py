@@ -190,12 +190,22 @@ class Teller:
             parts.insert(0, say("sheet.depart"))
         elif step.is_pause:
             parts += [pause_called(one, self.names) for one in step.pauses]
-        elif not parts and step.turn is None:
+        elif not parts and step.turn is None and step.lead is None:
             access = step.way.is_access
             parts.append(say("sheet.leave-road" if access else "sheet.enter-road"))
+        if step.lead is not None:
+            parts.append(self._lead(*step.lead, step.way.order))
         if step.turn is not None:
             parts.append(say("sheet.turn", driver=step.turn))
         return " ".join(parts)
+
+    def _lead(self, taker: int, former: int, order: Sequence[int]) -> str:
+        if taker == self.index:
+            return say("sheet.take-lead")
+        if former == self.index:
+            last = order[-1] == self.index
+            return say("sheet.fall-back" if last else "sheet.hand-on", who=self.name(taker))
+        return say("sheet.lead-changes", who=self.name(taker))
 
     def _stands(self, step: Step, number: int) -> Iterator[str]:
         aside = step.is_pause and number > 0
