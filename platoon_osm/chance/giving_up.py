@@ -30,7 +30,14 @@ from numpy.typing import NDArray
 from .gaps import Gap
 from .normal import ROOT_TAU, below, density
 
-__all__ = ["buffer_ahead_s", "counted_wait_s", "early_start_s", "value_of_waiting", "wait_up_to_s"]
+__all__ = [
+    "buffer_ahead_s",
+    "counted_wait_s",
+    "early_start_s",
+    "last_to_come_s",
+    "value_of_waiting",
+    "wait_up_to_s",
+]
 
 PLACES = 120
 """Places at which the sign of V' is looked at where its hazard may fall."""
@@ -38,6 +45,8 @@ HALVINGS = 60
 """Of an interval, until its ends are the same to the last digits."""
 FARTHEST = 40.0
 """A gap is not more than so many spreads beyond its mean, but with the least of chances."""
+NEVER = 1e-10
+"""Who comes later with a chance below this does not come."""
 LEAST_OFF, MOST_OFF = -40.0, 12.0
 """Between them, in standard deviations, lies any early start that can be told from none or all."""
 
@@ -94,6 +103,31 @@ def wait_up_to_s(gap: Gap, window_s: float, gain: float, price: float) -> float:
     return max(sorted(found, reverse=True), key=lambda w: value_of_waiting(gap, w, gain, price))
 
 
+def last_to_come_s(gap: Gap, window_s: float) -> float:
+    """Return from when on nobody comes any more who comes within a window.
+
+    Parameters
+    ----------
+    gap : Gap
+        By how much the other comes later.
+    window_s : float
+        How long one can wait at most [s].
+
+    Returns
+    -------
+    float
+        From 0 to `window_s` [s]; waiting longer is worth nothing.
+    """
+    most = gap.by(window_s) - NEVER
+    if gap.by(0.0) >= most:
+        return 0.0
+    low, high = 0.0, window_s
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if gap.by(middle) >= most else (middle, high)
+    return high
+
+
 def _peaks(gap: Gap, window_s: float, gain: float, price: float) -> list[float]:
     """Return where V stops rising inside the window."""
     end = min(window_s, max(gap.mean_s, 0.0) + FARTHEST * gap.spread_s)
@@ -142,7 +176,8 @@ def counted_wait_s(
         return window_s
     inside = gaps_s[(gaps_s > 0) & (gaps_s <= window_s)]
     # Between two of the days drawn waiting costs and nobody comes, so one of these is best.
-    waits = np.unique(np.concatenate([[0.0, window_s], inside]))
+    # Nobody is waited for longer than the last who comes.
+    waits = np.unique(np.concatenate([[0.0], inside]))
     ordered = np.sort(gaps_s)
     sums = np.concatenate([[0.0], np.cumsum(np.maximum(ordered, 0.0))])
     met = np.searchsorted(ordered, waits, side="right")

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from ..chance.delays import Delays
 from ..chance.gaps import Gap, gap_of
-from ..chance.giving_up import counted_wait_s, wait_up_to_s
+from ..chance.giving_up import counted_wait_s, last_to_come_s, wait_up_to_s
 from ..chance.simulated import check_runs
 from ..costs.objective import Objective
 from ..costs.time_prices import TimePrices
@@ -291,8 +291,12 @@ class _Simulation:
                 for some, window, price in zip(counted, windows, prices, strict=True)
             )
         else:
-            wait = wait_up_to_s(gap, windows[0], gain, prices[0])
-            early = wait_up_to_s(gap.turned(), windows[1], gain, prices[1])
+            wait, early = (
+                min(wait_up_to_s(one, window, gain, price), last_to_come_s(one, window))
+                if price > 0
+                else wait_up_to_s(one, window, gain, price)
+                for one, window, price in zip((gap, gap.turned()), windows, prices, strict=True)
+            )
         self.told_of[merge.event] = _Told(windows[0], wait, early, gap)
         return wait, early
 

@@ -15,6 +15,7 @@ from platoon_osm.chance.gaps import LognormalGap, NormalGap, gap_of
 from platoon_osm.chance.giving_up import (
     buffer_ahead_s,
     early_start_s,
+    last_to_come_s,
     value_of_waiting,
     wait_up_to_s,
 )
@@ -65,6 +66,18 @@ def test_a_normal_gap_is_that_of_scipy(mean, spread, wait):
     assert gap.expected_wait_s() == pytest.approx(whole, rel=1e-9, abs=1e-9 * spread)
     turned = gap.turned()
     assert turned.by(-wait) == pytest.approx(1 - gap.by(wait), abs=1e-12)
+
+
+def test_nobody_waits_longer_than_anybody_comes():
+    gap = NormalGap(60.0, 300.0)
+    last = last_to_come_s(gap, 7200.0)
+    assert 60 + 5 * 300 < last < 60 + 7 * 300
+    assert gap.by(7200.0) - gap.by(last) <= 1.1e-10
+    assert last_to_come_s(gap, 120.0) == pytest.approx(120.0)
+    assert last_to_come_s(NormalGap(-4000.0, 300.0), 7200.0) == 0.0
+    # Waiting on would be worth nothing, and cost little.
+    kept = value_of_waiting(gap, last, 10.0, 1e-4) - value_of_waiting(gap, 7200.0, 10.0, 1e-4)
+    assert kept >= -1e-8
 
 
 def test_a_gap_without_spread_is_what_is_planned():
