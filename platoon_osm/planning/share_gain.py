@@ -82,8 +82,12 @@ def share_gain(
     for game in games:
         equal[list(game.vehicles)] = equal_parts(game)
     values = _values_anew(problem)
+    more = float(values[-1]) - sum(saved)
     values[-1] = sum(saved)
     found = shared(plan, tuple(range(len(saved))), equal, values, rule)
+    if more >= 1:
+        told = f"planned apart in groups all would save {more / 100:,.2f} {plan.unit} more"
+        found = replace(found, remarks=(*found.remarks, told))
     return recorded(plan, saved, [found], rule, ANEW)
 
 

@@ -410,6 +410,22 @@ def test_coalitions_may_plan_anew(rule):
             assert shares == pytest.approx(right, abs=1)
 
 
+def test_where_groups_apart_save_more_the_plan_is_said_to_be_no_good_one():
+    problem, plan = drawn(3, 4)
+    best = sum(one.saved_cents for one in po.share_gain(plan, problem).gain.vehicles)
+    trips = [problem.trips[k] for k in range(4)]
+    worse = po.solve(po.Problem(corridor(), trips, Tolls(), optimum="system", case="A"))
+    gain = po.share_gain(worse, problem, anew=True).gain
+    apart = max(
+        split_best(frozenset(range(4)), lambda part: anew(part) if len(part) < 4 else 0),
+        gain.gain_cents,
+    )
+    assert best > gain.gain_cents
+    more = apart - gain.gain_cents
+    assert gain.remark == f"planned apart in groups all would save {more / 100:.2f} EUR more"
+    assert gain.worst_cents > 0
+
+
 def test_a_master_that_is_named_leads_only_where_it_is():
     problem, plan = drawn(5, 3, master="v1")
     gain = po.share_gain(plan, problem, anew=True).gain
