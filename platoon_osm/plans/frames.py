@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ScenarioError, brief
 from .law_lines import place_text
+from .money_frames import MONEY_FRAMES
 from .pauses import Pause
 from .plan import Plan
 from .positions import positions_of
@@ -28,10 +29,12 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
     ----------
     plan : Plan
         Any.
-    what : {"vehicles", "stretches", "points", "positions", "timetable", "pauses"}
-        One row for each vehicle; for each vehicle on each stretch of one company; for each start,
-        merge, separation and destination; for each vehicle and position in a company; for each
-        vehicle on each stretch, with its times; or for each time that a vehicle stands on its way.
+    what : str
+        "vehicles": one row for each vehicle; "stretches": for each vehicle on each stretch of one
+        company; "points": for each start, merge, separation and destination; "positions": for each
+        vehicle and position in a company; "timetable": for each vehicle on each stretch, with its
+        times; "pauses": for each time that a vehicle stands on its way; "bill": for each vehicle
+        and what it pays for; "gain": for each vehicle and its share; "chances": for each merge.
 
     Returns
     -------
@@ -42,7 +45,8 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
     Raises
     ------
     ScenarioError
-        Another table, or the timetable or pauses of a plan without times.
+        Another table, the timetable or pauses of a plan without times, or bill, gain or chances of
+        a plan without.
     """
     import pandas as pd
 
@@ -50,6 +54,8 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
         raise ScenarioError(f"frame {brief(what)} is unknown; use one of {', '.join(FRAMES)}")
     if what in TIMED and plan.timetable is None:
         raise ScenarioError("frame: the plan has no times; give a trip earliest_departure, say")
+    if what in MONEY_FRAMES and getattr(plan, what) is None:
+        raise ScenarioError(f"frame: the plan has no {what}; {NEEDED[what]}")
     rows = list(FRAMES[what](plan))
     return pd.DataFrame(rows, columns=None if rows else TIMED.get(what))
 
@@ -203,6 +209,13 @@ TIMED = {
 }  # fmt: skip
 """Tables of plans with times, and the columns of those that may have no rows."""
 
+NEEDED = {
+    "bill": 'plan with costs in money, as money_costs("eu")',
+    "gain": "plan with costs in money and share it, as share_gain does",
+    "chances": "plan with times and delays",
+}
+"""What a plan needs to have a table."""
+
 FRAMES = {
     "vehicles": _vehicles,
     "stretches": _stretches,
@@ -210,5 +223,6 @@ FRAMES = {
     "positions": _positions,
     "timetable": _timetable,
     "pauses": _pauses,
+    **MONEY_FRAMES,
 }
 """What a plan can be shown as, by name."""

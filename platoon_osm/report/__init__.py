@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from .document.flows import flow_document
     from .document.side_by_side import comparison_document
     from .exporters import EXPORTERS, Exporter
+    from .exports.bill import write_bill
     from .exports.gis import to_geodataframe, write_geopackage
     from .exports.tracks import write_csv, write_gpx
     from .pages.comparison import write_comparison
@@ -28,6 +29,7 @@ _WHERE = {
     "Exporter": "exporters",
     "to_geodataframe": "exports.gis",
     "write_geopackage": "exports.gis",
+    "write_bill": "exports.bill",
     "write_csv": "exports.tracks",
     "write_gpx": "exports.tracks",
     "comparison_document": "document.side_by_side",
@@ -51,6 +53,7 @@ __all__ = [
     "plan_map",
     "report_document",
     "to_geodataframe",
+    "write_bill",
     "write_comparison",
     "write_csv",
     "write_figures",

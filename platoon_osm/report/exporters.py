@@ -26,7 +26,7 @@ __all__ = ["EXPORTERS", "Exporter", "Writes"]
 AnyPath = str | os.PathLike[str]
 
 HTM = (".htm",)
-FIGURES = ("corridor.*", "costs.*", "way.*", "schedule.*")
+FIGURES = ("corridor.*", "costs.*", "bill.*", "way.*", "schedule.*")
 """What `write_figures` writes."""
 
 
@@ -144,6 +144,13 @@ def _pauses(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = 
     write_csv(plan, net, path, "pauses")
 
 
+def _bill(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
+    from .exports.bill import write_bill
+
+    del net, title
+    write_bill(plan, path)
+
+
 def _flows(plan: Plan, net: RoadNetwork, path: AnyPath, *, title: str | None = None) -> None:
     from .pages.flows import write_flows
 
@@ -194,6 +201,7 @@ EXPORTERS: Registry[Exporter] = Registry(
         Exporter("json", "plan as JSON to write", ".json", _json, is_text=True),
         Exporter("csv", "legs as CSV to write", ".csv", _csv, is_text=True),
         Exporter("pauses", "breaks and waits as CSV to write", ".csv", _pauses, is_text=True),
+        Exporter("bill", "costs in money by term as CSV to write", ".csv", _bill, is_text=True),
         Exporter("flows", "page for many vehicles", ".html", _flows, also=HTM, is_text=True),
         Exporter(
             "gpx",

@@ -18,6 +18,7 @@ def test_the_exporters_and_their_order():
         "json",
         "csv",
         "pauses",
+        "bill",
         "flows",
         "gpx",
         "sheets",

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import csv
 import re
 from dataclasses import replace
 from html.parser import HTMLParser
+from pathlib import Path
 
 import pytest
 from hostile_names import HOSTILE
+from matplotlib.patches import Rectangle
 from money_plans import in_money
 
 from platoon_osm.costs.cost_figure import CostFigure
+from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.gain import GainSharing
 from platoon_osm.plans.plan import JointPlan, Plan
+from platoon_osm.report.charts.bill_figure import bill_figure
 from platoon_osm.report.document.document import document_of, report_document
+from platoon_osm.report.exporters import EXPORTERS
 from platoon_osm.report.language.speech import speaking
 from platoon_osm.report.markup.fragments import NOTHING, Tree, written
 from platoon_osm.report.markup.quantities import carbon, cost_unit
@@ -241,3 +247,65 @@ def tables_of_text(text: str) -> list[list[list[str]]]:
     parser = Tables()
     parser.feed(text)
     return parser.tables
+
+
+def test_tables_of_pandas_add_up(plan: JointPlan) -> None:
+    told = in_money(plan)
+    assert told.bill is not None
+    assert told.gain is not None
+    bill = told.to_frame("bill")
+    assert list(bill.columns) == ["vehicle", "term", "alone_EUR", "joint_EUR", "saved_EUR"]
+    assert round(100 * bill["saved_EUR"].sum()) == told.bill.saved_cents
+    by_term = bill.groupby("term")["joint_EUR"].sum()
+    assert round(100 * by_term["waiting"]) == told.bill.of_term("waiting")[1]
+    gain = told.to_frame("gain")
+    assert round(100 * gain["receives_EUR"].sum()) == 0
+    assert (100 * gain["share_EUR"]).round().tolist() == [
+        one.share_cents for one in told.gain.vehicles
+    ]
+    chances = told.to_frame("chances")
+    assert set(chances["chance"]) == {0.784}
+    assert (chances["wait_up_to_min"] == 12).all()
+    assert all(told.events[event].kind == "merge" for event in chances["event"])
+    for what in ("bill", "gain", "chances"):
+        with pytest.raises(ScenarioError, match=f"the plan has no {what}"):
+            plan.to_frame(what)
+
+
+def test_the_bill_as_a_file(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -> None:
+    told = in_money(plan, text="=1+1")
+    assert told.bill is not None
+    told = replace(told, trips=(replace(told.trips[0], vehicle="=1+1"), *told.trips[1:]))
+    EXPORTERS["bill"].write(told, net, tmp_path / "bill.csv")
+    rows = list(csv.DictReader((tmp_path / "bill.csv").read_text("utf-8").splitlines()))
+    assert rows[0]["vehicle"] == "'=1+1"
+    for kind in ("alone", "joint", "saved"):
+        amounts = [round(100 * float(row[kind])) for row in rows if row["unit"] == "EUR"]
+        assert sum(amounts) == getattr(told.bill, f"{kind}_cents")
+    litres = sum(float(row["saved"]) for row in rows if row["unit"] == "l")
+    assert litres == pytest.approx(told.bill.saved_fuel_l, abs=1e-2)
+    kg = [float(row["saved"]) for row in rows if row["term"] == "CO2e well to wheel"]
+    assert sum(kg) == pytest.approx(told.bill.saved_kg[1], abs=1e-2)
+    with pytest.raises(ScenarioError, match="bill: the costs of the plan are no money"):
+        EXPORTERS["bill"].write(plan, net, tmp_path / "none.csv")
+    assert not (tmp_path / "none.csv").exists()
+
+
+def test_the_bill_as_a_figure(plan: JointPlan, net: RoadNetwork) -> None:
+    told = in_money(plan)
+    assert told.bill is not None
+    figure = bill_figure(document_of(told, net))
+    assert figure is not None
+    costs, saved = figure.axes
+    # Alone, then as planned, of each vehicle: as long as what it pays.
+    for row, own in enumerate(told.bill.vehicles):
+        for shift, paid in ((-0.2, own.alone_cents), (0.2, own.joint_cents)):
+            bars = [
+                bar for bar in costs.patches
+                if isinstance(bar, Rectangle)
+                and bar.get_y() + bar.get_height() / 2 == pytest.approx(row + shift)
+            ]  # fmt: skip
+            assert [bar.get_width() for bar in bars] == pytest.approx([one / 100 for one in paid])
+    texts = [text.get_text() for text in saved.texts]
+    assert [cents(text) for text in texts] == [one.saved_cents for one in told.bill.vehicles]
+    assert bill_figure(document_of(plan, net)) is None

@@ -25,6 +25,7 @@ from ..document.model_day import DaySchedule, JourneyScale
 from ..document.model_vehicle import Vehicle
 from ..drawing.palette import MUTED, PAPER, PLATOON, PLATOON_CASING
 from ..language.speech import number, say, speaking
+from .bill_figure import bill_figure
 from .figure_map import corridor
 from .paper import METADATA, axes_of, dash_of, drawing
 from .schedule_figure import COLUMNS, draw_schedule, schedule_rows
@@ -53,7 +54,8 @@ def write_figures(
 ) -> list[Path]:
     """Write the figures of a plan into a folder, which is made if it is missing.
 
-    They are `corridor` (the map), `costs` (bars of cost alone and as planned), `way` (who drives
+    They are `corridor` (the map), `costs` (bars of cost alone and as planned), of a plan in money
+    `bill` (what is paid for what, alone and as planned, and what is saved of it), `way` (who drives
     with whom, by distance; left out where the plan has no common scale of distance) and, for a
     plan with times, `schedule` (who drives when), with its numbers in `schedule.csv`, and
     `time-distance` (where each vehicle of a platoon is when; of several platoons one each,
@@ -118,6 +120,8 @@ def _check_formats(formats: object) -> None:
 def _figures(document: Document) -> Iterator[tuple[str, Figure]]:
     yield "corridor", corridor(document)
     yield "costs", _costs(document)
+    if (bill := bill_figure(document)) is not None:
+        yield "bill", bill
     if document.journey is not None:
         yield "way", _way(document, document.journey)
     if document.schedule is not None:

@@ -10,11 +10,39 @@ from ...plans.gain import GainSharing
 from ...plans.plan import Plan
 from ...shown_text import fitted
 from ..language.plan_sentences import in_language
+from ..language.speech import say
 
-__all__ = ["bill_of", "chances_of", "gain_of", "stood_cents"]
+__all__ = ["bill_of", "chances_of", "gain_of", "stood_cents", "term_name"]
 
 STANDING = ("waiting", "delay")
 """Terms that are paid for time, not for driving."""
+
+
+TERMS = {
+    "fuel": "money.term-fuel",
+    "driver": "money.term-driver",
+    "toll": "money.term-toll",
+    "co2": "money.term-co2",
+    "waiting": "money.term-waiting",
+    "delay": "money.term-delay",
+}
+"""Those that have a name in each language."""
+
+
+def term_name(term: str) -> str:
+    """Return what a term of a bill is called.
+
+    Parameters
+    ----------
+    term : str
+        Of it.
+
+    Returns
+    -------
+    str
+        In the language that is spoken; a term that has no name there as it is.
+    """
+    return say(TERMS[term]) if term in TERMS else term
 
 
 def stood_cents(bill: Bill, vehicle: int) -> int:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 
 from ...plans.bill import Bill
 from ...plans.gain import GainSharing
+from ..document.bill_parts import term_name
 from ..document.model import Document
 from ..document.wording import joined
 from ..drawing.crowd import CROWD
@@ -17,17 +18,7 @@ from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.quantities import cost_unit, gain_or_loss, signed, true_minus
 from .page_pieces import badge
 
-__all__ = ["amount", "money_tables", "term_name"]
-
-TERMS = {
-    "fuel": "money.term-fuel",
-    "driver": "money.term-driver",
-    "toll": "money.term-toll",
-    "co2": "money.term-co2",
-    "waiting": "money.term-waiting",
-    "delay": "money.term-delay",
-}
-"""Those that have a name in each language."""
+__all__ = ["money_tables"]
 
 RULES = {"equal": "gain.equal", "shapley": "gain.shapley", "least-core": "gain.least-core"}
 
@@ -59,35 +50,7 @@ def money_tables(document: Document) -> tuple[Piece, ...]:
     return tuple(parts)
 
 
-def term_name(term: str) -> str:
-    """Return what a term of a bill is called.
-
-    Parameters
-    ----------
-    term : str
-        Of it.
-
-    Returns
-    -------
-    str
-        In the language that is spoken; a term that has no name there as it is.
-    """
-    return say(TERMS[term]) if term in TERMS else term
-
-
-def amount(cents: int) -> str:
-    """Return an amount of money without its unit.
-
-    Parameters
-    ----------
-    cents : int
-        The amount.
-
-    Returns
-    -------
-    str
-        To the cent.
-    """
+def _amount(cents: int) -> str:
     return true_minus(number(cents / 100, 2))
 
 
@@ -124,7 +87,7 @@ def _unit(currency: str) -> str:
 
 def _amounts(joint: Sequence[int], alone: Sequence[int], paid: list[int], both: bool) -> Tree:
     pairs = [*((joint[k], alone[k]) for k in paid), (sum(joint), sum(alone))]
-    return tuple(_pair(amount(now), amount(before) if both else "") for now, before in pairs)
+    return tuple(_pair(_amount(now), _amount(before) if both else "") for now, before in pairs)
 
 
 def _pair(now: str, before: str) -> Piece:
