@@ -12,6 +12,7 @@ import pytest
 from hostile_names import HOSTILE
 from matplotlib.patches import Rectangle
 from money_plans import in_money
+from plan_kinds import plan_kind
 
 from platoon_osm.costs.cost_figure import CostFigure
 from platoon_osm.errors import ScenarioError
@@ -20,6 +21,7 @@ from platoon_osm.plans.gain import GainSharing
 from platoon_osm.plans.plan import JointPlan, Plan
 from platoon_osm.report.charts.bill_figure import bill_figure
 from platoon_osm.report.document.document import document_of, report_document
+from platoon_osm.report.document.findings import find
 from platoon_osm.report.exporters import EXPORTERS
 from platoon_osm.report.language.speech import speaking
 from platoon_osm.report.markup.fragments import NOTHING, Tree, written
@@ -27,6 +29,8 @@ from platoon_osm.report.markup.quantities import carbon, cost_unit
 from platoon_osm.report.pages.money_tables import money_tables
 from platoon_osm.report.pages.page_data import page_data
 from platoon_osm.report.pages.panel import page_body
+from platoon_osm.report.sheets.steps import steps_of
+from platoon_osm.report.sheets.write import write_sheets
 from platoon_osm.shown_text import fitted
 
 SIGNS = {"en": (",", "."), "de": (".", ","), "it": (".", ",")}
@@ -309,3 +313,47 @@ def test_the_bill_as_a_figure(plan: JointPlan, net: RoadNetwork) -> None:
     texts = [text.get_text() for text in saved.texts]
     assert [cents(text) for text in texts] == [one.saved_cents for one in told.bill.vehicles]
     assert bill_figure(document_of(plan, net)) is None
+
+
+def test_a_sheet_says_when_to_give_up() -> None:
+    """As soon as waiting is worth no more, but not before the planned moment."""
+    plan, net = plan_kind("three vehicles")
+    told, seen = in_money(plan), 0
+    for index in range(len(plan.trips)):
+        free, bound = (
+            steps_of(found.plan, found.net, index) for found in (find(plan, net), find(told, net))
+        )
+        for step, own in zip(free, bound, strict=True):
+            if step.without is None or own.without is None:
+                continue
+            assert step.leaves_s is not None
+            assert own.without.until_s is not None
+            worth_s = step.leaves_s - step.wait_s + (660.0 if step.moves else 720.0)
+            latest = step.without.until_s
+            expected = max(min(worth_s, worth_s if latest is None else latest), step.leaves_s)
+            assert own.without.until_s == pytest.approx(expected, abs=60)
+            seen += own.without.until_s != latest
+    assert seen
+
+
+@pytest.mark.parametrize("language", SIGNS)
+def test_a_sheet_says_what_the_trip_saves(
+    plan: JointPlan, net: RoadNetwork, language: str, tmp_path: Path
+) -> None:
+    told = in_money(plan, seed=3)
+    assert told.bill is not None
+    assert told.gain is not None
+    write_sheets(told, net, tmp_path / "sheets.html", language=language)
+    lines = re.findall(r'<p class="law"><bdi>(.*?)</bdi>', (tmp_path / "sheets.html").read_text())
+    together = [k for k, one in enumerate(plan.vehicles) if one.platoon_m]
+    assert len(lines) == len(together)
+    with speaking(language):
+        unit = cost_unit("EUR", to_the_cent=True)
+        for line, index in zip(lines, together, strict=True):
+            own, part = told.bill.vehicles[index], told.gain.vehicles[index]
+            for amount in (own.saved_cents, part.payment_cents):
+                assert unit.full(abs(amount) / 100) in line
+            assert unit.full(part.share_cents / 100) in line
+            assert carbon(own.alone_kg[1] - own.joint_kg[1]) in line
+    write_sheets(plan, net, tmp_path / "plain.html")
+    assert 'class="law"' not in (tmp_path / "plain.html").read_text()

@@ -2,9 +2,11 @@
 
 With R the driving time of the rest of the way [s], its planned breaks and rests among it, and a the
 latest arrival asked for, a vehicle that leaves a meeting point by a - R is there in time. For a
-trip without a latest arrival, a is as late as the planner's patience let company make it. What is
-not in the plan is not made up: if that is not known either there is no such moment, unless the
-caller names a patience.
+trip without a latest arrival, a is as late as the planner's patience let company make it. A plan
+with delays says how long waiting is worth it at each merge, counted from when the vehicle is there
+by the timetable; the sooner of these moments is told, but none before the planned one. What is not
+in the plan is not made up: if that is not known either there is no such moment, unless the caller
+names a patience.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ from dataclasses import dataclass
 
 from ...network.road_network import RoadNetwork
 from ...plans.plan import Plan
-from ...plans.standing import asked_by_rules
+from ...plans.standing import asked_by_rules, standing
 from ...plans.timetable import VehicleTimes
 from ..document.roads import roads_of
 
@@ -30,8 +32,8 @@ class GoingOn:
     until_s : float or None
         When it leaves at the latest; None if neither a latest arrival nor a patience is known.
     by_patience : bool
-        Whether that is as long as a patience goes, the caller's or the planner's; else it is as
-        long as the latest arrival allows.
+        Whether that is as long as a patience goes, the caller's or the planner's, or as waiting is
+        worth it; else it is as long as the latest arrival allows.
     arrives_s : float or None
         When it is there if it leaves then, or else as planned; None without times.
     roads : str
@@ -100,6 +102,9 @@ def going_on(
         allowed = plan.timetable.patient_until_s(index, alone_s)
         if allowed is not None:
             patient = min(allowed - rest_s, math.inf if patient is None else patient)
+    gives_up = _gives_up_s(plan, index, number, planned)
+    if gives_up is not None:
+        patient = gives_up if patient is None else min(patient, gives_up)
     limits = [limit for limit in (in_time, patient) if limit is not None]
     # Who would be late anyway waits no longer than planned.
     until = max(min(limits), planned) if limits else None
@@ -113,6 +118,21 @@ def going_on(
         drive_s=drive_s,
         with_others=with_others,
     )
+
+
+def _gives_up_s(plan: Plan, index: int, number: int, planned_s: float) -> float | None:
+    """Return until when waiting is worth it by the plan's chances; None where they do not say."""
+    times = plan.times[index]
+    if plan.chances is None or times is None:
+        return None
+    waits = (one for one in standing(times) if one.before == number)
+    there_s = planned_s - sum(one.duration_s for one in waits if one.purposes == ("company",))
+    for meeting in plan.chances.meetings:
+        event = plan.events[meeting.event]
+        if event.stretch == plan.ways[index][number]:
+            moves = index in event.movers and bool(event.others)
+            return there_s + (meeting.movers_wait_up_to_s if moves else meeting.wait_up_to_s)
+    return None
 
 
 def _after_bans_s(times: VehicleTimes, number: int) -> float:

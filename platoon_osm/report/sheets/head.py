@@ -13,11 +13,11 @@ from ..document.findings import Findings
 from ..document.model import Document
 from ..language.speech import late_by, say
 from ..markup.fragments import Piece, Tree
-from ..markup.quantities import kilometres
+from ..markup.quantities import carbon, cost_unit, kilometres, litres, true_minus
 from .steps import Step
 from .words import StepWords, Teller
 
-__all__ = ["Journey", "alerts_of", "counted_of", "facts_of", "notes_of"]
+__all__ = ["Journey", "alerts_of", "counted_of", "facts_of", "notes_of", "saved_of"]
 
 LONGEST_NOTE = 260
 
@@ -127,6 +127,39 @@ def counted_of(journey: Journey) -> str:
         parts.append(say("law.two-drivers"))
     rules = say(f"law.{law.rules}") if law.rules in ("eu561", "us395") else fitted(law.rules)
     return say("sheet.law", rules=rules, counted="; ".join(parts))
+
+
+def saved_of(journey: Journey) -> str:
+    """Return what the trip saves in money, fuel and CO2e, and the vehicle's share of the gain.
+
+    Parameters
+    ----------
+    journey : Journey
+        Of the vehicle.
+
+    Returns
+    -------
+    str
+        Sentences; empty of a vehicle alone, and where costs are no money.
+    """
+    plan = journey.found.plan
+    bill, gain = plan.bill, plan.gain
+    if bill is None or not plan.vehicles[journey.index].platoon_m:
+        return ""
+    own = bill.vehicles[journey.index]
+    unit = cost_unit(fitted(bill.currency), to_the_cent=True)
+    told = say(
+        "sheet.saves" if own.saved_cents >= 0 else "sheet.costs-more",
+        cost=unit.full(abs(own.saved_cents) / 100),
+        fuel=true_minus(litres(own.alone_fuel_l - own.joint_fuel_l)),
+        mass=true_minus(carbon(own.alone_kg[1] - own.joint_kg[1])),
+    )
+    if gain is None:
+        return told
+    part = gain.vehicles[journey.index]
+    key = "sheet.share-receives" if part.payment_cents >= 0 else "sheet.share-pays"
+    share, payment = unit.full(part.share_cents / 100), unit.full(abs(part.payment_cents) / 100)
+    return f"{told} {say(key, share=share, payment=payment)}"
 
 
 def _longest_drive_s(steps: Sequence[Step]) -> float:

@@ -9,7 +9,7 @@ from ..language.speech import day_and_date, say, zone_text
 from ..maps.pause_icons import PAUSE_KINDS
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..pages.page_pieces import badge
-from .head import Journey, alerts_of, counted_of, facts_of, notes_of
+from .head import Journey, alerts_of, counted_of, facts_of, notes_of, saved_of
 from .layout import CROWDED, MAP_WIDTH_MM, Layout, layout_of, lines_of
 from .route_map import own_document, route_map
 from .steps import Step, Way
@@ -54,8 +54,8 @@ def sheet(journey: Journey) -> Piece:
         shortened(stop.name, LONGEST_HEAD) for stop in (vehicle.origin, vehicle.destination)
     )
     alerts, notes = alerts_of(journey), notes_of(journey)
-    counted = counted_of(journey)
-    lines = [*alerts, *notes, *filter(None, [counted])]
+    told = [text for text in (counted_of(journey), saved_of(journey)) if text]
+    lines = [*alerts, *notes, *told]
     head_mm = HEAD_MM + sum(1.5 + 4.4 * lines_of(text, 12.5, 180.0) for text in lines)
     head_mm += 7.0 * (lines_of(name, 25.0, 125.0) - 1)
     head_mm += 5.0 * (lines_of(f"{origin} - {destination}", 14.5, 125.0) - 1)
@@ -74,7 +74,7 @@ def sheet(journey: Journey) -> Piece:
             "day": _day(journey),
             "alerts": tuple(Piece("sheet-alert", {"text": text}) for text in alerts),
             "facts": facts_of(journey),
-            "law": _said("sheet-law", counted),
+            "law": tuple(Piece("sheet-law", {"text": text}) for text in told),
             "strip": strip(vehicle, journey.steps, journey.words, key),
             "steps": _steps(journey, layout),
             "map": _map(journey, key, layout),
