@@ -106,12 +106,25 @@ function drawSolos() {
 
 const bandsOf = [];
 
+const samePlace = ([lat, lon], [otherLat, otherLon]) => lat === otherLat && lon === otherLon;
+
+/* Stretches of one company that follow each other, cut where it stands or hands on the lead, are one
+ * band, or its lines would not meet where the road bends. */
+const follows = (one, next) => one.points.length && next.points.length
+  && String(one.vehicles) === String(next.vehicles)
+  && samePlace(one.points[one.points.length - 1], next.points[0]);
+const runs = [];
+for (const one of platoons) {
+  const last = runs[runs.length - 1];
+  if (last && follows(last[last.length - 1], one)) last.push(one);
+  else runs.push([one]);
+}
+
 /* A band is there while its layer is, and any of its vehicles. */
 function showBands() {
-  if (!bandsOf.length) return;
-  platoons.forEach((one, i) => {
-    const wanted = one.vehicles.some((index) => !hidden.has(`vehicle-${index}`));
-    for (const line of [bandsOf[i].casing, bandsOf[i].band]) {
+  bandsOf.forEach(({ casing, band, pieces }, i) => {
+    const wanted = runs[i][0].vehicles.some((index) => !hidden.has(`vehicle-${index}`));
+    for (const line of [casing, band, ...pieces]) {
       if (wanted) group("platoon").addLayer(line);
       else group("platoon").removeLayer(line);
     }
@@ -119,14 +132,18 @@ function showBands() {
 }
 
 /* The order of making is the order of drawing: all bands, then all lines over them. */
-function bandOf(one, pane, name) {
+function bandOf(run, pane, name) {
+  const { vehicles, tip } = run[0];
+  const parts = run.flatMap((one) => one.parts);
   const made = {
-    casing: routeLine(pane, name, one.vehicles, { color: "#8a6a00" }),
-    band: routeLine(pane, name, one.vehicles, { color: "#ffd54a" }, one.tip),
+    casing: routeLine(pane, name, vehicles, { color: "#8a6a00" }),
+    band: routeLine(pane, name, vehicles, { color: "#ffd54a" }, run.length < 2 ? tip : undefined),
+    // Each stretch of a longer band tells of itself, unseen over it.
+    pieces: run.length < 2 ? [] : run.map((one) => routeLine(pane, name, vehicles, { opacity: 0 }, one.tip)),
   };
   const linesOver = (nameOf, aside) => {
-    const count = one.vehicles.length;
-    const members = one.vehicles.map((index) => {
+    const count = vehicles.length;
+    const members = vehicles.map((index) => {
       const vehicle = plan.vehicles[index];
       return routeLine(pane, nameOf(index), index, {
         color: vehicle.colour, lineCap: vehicle.cap,
@@ -137,9 +154,10 @@ function bandOf(one, pane, name) {
       const width = bandWidth(count);
       const step = lineStep(count);
       const offsets = members.map((_, place) => (place - (count - 1) / 2) * step);
-      const [middle, ...beside] = along(one.parts, aside, [0, ...offsets]);
+      const [middle, ...beside] = along(parts, aside, [0, ...offsets]);
       lay(made.band.setStyle({ weight: width }), middle);
       lay(made.casing.setStyle({ weight: width + 2 }), middle);
+      made.pieces.forEach((piece, i) => lay(piece.setStyle({ weight: width }), along(run[i].parts, aside)[0]));
       members.forEach((own, place) => lay(own.setStyle({ weight: Math.min(4, step * 0.68) }), beside[place]));
     };
   };
@@ -148,7 +166,7 @@ function bandOf(one, pane, name) {
 
 function drawPlatoons() {
   if (traffic?.bundled) return;
-  const bands = platoons.map((one) => bandOf(one, "platoons", "platoon"));
+  const bands = runs.map((run) => bandOf(run, "platoons", "platoon"));
   bandsOf.push(...bands.map(({ made }) => made));
   for (const { linesOver } of bands) redraws.push(linesOver((index) => `vehicle-${index}`, bandAside));
 }
@@ -168,7 +186,7 @@ function lift(chosen, hinted) {
   if (!traffic || index === null) return;
   const pieces = plan.vehicles[index].way;
   const bands = pieces.filter(([kind]) => kind === "platoon" && traffic.bundled)
-    .map(([, at]) => bandOf(platoons[at], "lifted", "lifted"));
+    .map(([, at]) => bandOf([platoons[at]], "lifted", "lifted"));
   const alone = pieces.filter(([kind, at]) => kind === "solo" && ribboned(solos[at]))
     .map(([, at]) => soloLine(solos[at], "lifted", "lifted", liftedAside, 4));
   const middle = (part) => bandAside({ ...part, beside: [part.beside[part.place]], place: 0 });
@@ -181,8 +199,8 @@ const redraw = () => [...redraws, ...lifted].forEach((each) => each());
 
 /* Layers shown again come last in the drawing, so lines are raised above the bands, in order. */
 function restack() {
-  for (const { casing, band } of [...bandsOf].reverse()) {
-    for (const line of [band, casing]) if (map.hasLayer(line)) line.bringToBack();
+  for (const { casing, band, pieces } of [...bandsOf].reverse()) {
+    for (const line of [...pieces, band, casing]) if (map.hasLayer(line)) line.bringToBack();
   }
   plan.vehicles.forEach((_, index) => {
     const layers = groups[`vehicle-${index}`];

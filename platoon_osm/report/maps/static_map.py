@@ -259,15 +259,34 @@ def _solo_drawings(document: Document, view: MapView) -> list[_Drawing]:
 
 
 def _band_drawings(document: Document, view: MapView) -> list[_Drawing]:
-    """Return the bands of platoons, unless ribbons stand for them."""
+    """Return the bands of platoons, unless ribbons stand for them.
+
+    Stretches of one company that follow each other, cut where it stands or hands on the lead, are
+    one band, or its lines would not meet where the road bends.
+    """
     if document.traffic is not None and document.traffic.bundled:
         return []
-    return [
-        _drawing(number, [view.pixels(part.line) for part in one.parts], strip)
-        for number, (one, strip) in enumerate(
-            zip(document.platoons, band_strips(document, view), strict=True)
+    found: list[_Drawing] = []
+    roads: list[list[Point]] = []
+    asides: list[float] = []
+    first = 0
+    every = zip(document.platoons, band_strips(document, view), strict=True)
+    for number, (one, strip) in enumerate(every):
+        if not roads:
+            first = number
+        roads += [view.pixels(part.line) for part in one.parts]
+        asides += strip.asides
+        after = document.platoons[number + 1 : number + 2]
+        goes_on = bool(roads) and any(
+            other.vehicles == one.vehicles
+            and other.parts
+            and view.pixels(other.parts[0].line)[:1] == roads[-1][-1:]
+            for other in after
         )
-    ]
+        if not goes_on:
+            found.append(_drawing(first, roads, strip._replace(asides=asides)))
+            roads, asides = [], []
+    return found
 
 
 def _drawing(number: int, roads: list[list[Point]], strip: Strip) -> _Drawing:
