@@ -48,8 +48,10 @@ def _terms(bill: Bill) -> str:
 
 
 def _saved(bill: Bill) -> str:
-    to_wheel, from_well = bill.saved_kg
+    # The last digits of sums of the same roads are nothing saved.
+    to_wheel, from_well = (round(mass, 0) + 0.0 for mass in bill.saved_kg)
+    litres = round(bill.saved_fuel_l, 1) + 0.0
     return (
-        f"Saved: {money(bill.saved_cents, bill.currency)}, {bill.saved_fuel_l:,.1f} l of fuel, "
+        f"Saved: {money(bill.saved_cents, bill.currency)}, {litres:,.1f} l of fuel, "
         f"{from_well:,.0f} kg CO2e well to wheel ({to_wheel:,.0f} kg tank to wheel)."
     )

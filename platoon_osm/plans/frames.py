@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 from ..errors import ScenarioError, brief
 from .law_lines import place_text
 from .money_frames import MONEY_FRAMES
+from .paid import paid
 from .pauses import Pause
 from .plan import Plan
 from .positions import positions_of
 from .standing import standing
+from .vehicles import saved_share
 
 if TYPE_CHECKING:
     import pandas
@@ -66,7 +68,8 @@ def _cost(plan: Plan) -> str:
 
 def _vehicles(plan: Plan) -> Iterator[Row]:
     unit = _cost(plan)
-    for one in plan.vehicles:
+    for index, one in enumerate(plan.vehicles):
+        alone, joint = paid(plan, (index,))
         yield {
             "vehicle": one.vehicle,
             "role": one.role,
@@ -79,9 +82,9 @@ def _vehicles(plan: Plan) -> Iterator[Row]:
             "alone_driving_h": one.alone.time_s / 3600,
             "fuel_l": one.fuel_l,
             "alone_fuel_l": one.alone.fuel_l,
-            f"cost_{unit}": one.joint_cost,
-            f"alone_cost_{unit}": one.solo_cost,
-            "saving_share": one.saving,
+            f"cost_{unit}": joint,
+            f"alone_cost_{unit}": alone,
+            "saving_share": saved_share(joint, alone),
             "inferred_km": one.inferred_m / 1000,
             "reason": one.reason,
         }

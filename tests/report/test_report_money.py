@@ -25,7 +25,7 @@ from platoon_osm.report.document.findings import find
 from platoon_osm.report.exporters import EXPORTERS
 from platoon_osm.report.language.speech import speaking
 from platoon_osm.report.markup.fragments import NOTHING, Tree, written
-from platoon_osm.report.markup.quantities import carbon, cost_unit
+from platoon_osm.report.markup.quantities import carbon, cost_unit, litres
 from platoon_osm.report.pages.money_tables import money_tables
 from platoon_osm.report.pages.page_data import page_data
 from platoon_osm.report.pages.panel import page_body
@@ -130,7 +130,7 @@ def test_terms_that_cost_nothing_have_no_column(plan: JointPlan, net: RoadNetwor
     text = written(money_tables(document))
     head = tables_of(money_tables(document))[0][0]
     assert head[1:] == ["Fuel", "Driver", "Toll", "Waiting", "In all"]
-    assert "Nothing is paid for CO2 and Delay." in text
+    assert "Not paid for: CO2, Delay." in text
 
 
 def test_the_head_tells_money_fuel_and_carbon(plan: JointPlan, net: RoadNetwork) -> None:
@@ -142,6 +142,12 @@ def test_the_head_tells_money_fuel_and_carbon(plan: JointPlan, net: RoadNetwork)
     assert two.figure == f"{told.bill.saved_fuel_l:.1f}\u00a0l"
     assert three.figure == carbon(told.bill.saved_kg[1])
     assert carbon(told.bill.saved_kg[0]) in three.label
+
+
+def test_what_is_rounded_away_has_no_sign() -> None:
+    assert litres(-1e-13) == "0.0\u00a0l"
+    assert carbon(-0.04) == "0.0\u00a0kg"
+    assert carbon(-0.06) == "-0.1\u00a0kg"
 
 
 def test_a_merge_says_how_likely_it_is(plan: JointPlan, net: RoadNetwork) -> None:
@@ -260,6 +266,7 @@ def test_tables_of_pandas_add_up(plan: JointPlan) -> None:
     bill = told.to_frame("bill")
     assert list(bill.columns) == ["vehicle", "term", "alone_EUR", "joint_EUR", "saved_EUR"]
     assert round(100 * bill["saved_EUR"].sum()) == told.bill.saved_cents
+    assert round(100 * told.to_frame()["cost_EUR"].sum()) == told.bill.joint_cents
     by_term = bill.groupby("term")["joint_EUR"].sum()
     assert round(100 * by_term["waiting"]) == told.bill.of_term("waiting")[1]
     gain = told.to_frame("gain")
@@ -286,8 +293,8 @@ def test_the_bill_as_a_file(plan: JointPlan, net: RoadNetwork, tmp_path: Path) -
     for kind in ("alone", "joint", "saved"):
         amounts = [round(100 * float(row[kind])) for row in rows if row["unit"] == "EUR"]
         assert sum(amounts) == getattr(told.bill, f"{kind}_cents")
-    litres = sum(float(row["saved"]) for row in rows if row["unit"] == "l")
-    assert litres == pytest.approx(told.bill.saved_fuel_l, abs=1e-2)
+    fuel_l = sum(float(row["saved"]) for row in rows if row["unit"] == "l")
+    assert fuel_l == pytest.approx(told.bill.saved_fuel_l, abs=1e-2)
     kg = [float(row["saved"]) for row in rows if row["term"] == "CO2e well to wheel"]
     assert sum(kg) == pytest.approx(told.bill.saved_kg[1], abs=1e-2)
     with pytest.raises(ScenarioError, match="bill: the costs of the plan are no money"):
@@ -357,3 +364,23 @@ def test_a_sheet_says_what_the_trip_saves(
             assert carbon(own.alone_kg[1] - own.joint_kg[1]) in line
     write_sheets(plan, net, tmp_path / "plain.html")
     assert 'class="law"' not in (tmp_path / "plain.html").read_text()
+
+
+def test_remarks_on_shares_are_told_in_the_language(plan: JointPlan, net: RoadNetwork) -> None:
+    told = in_money(plan)
+    assert told.gain is not None
+    remarks = (
+        "by the rule alone A would be worse off; these are the nearest shares that leave nobody "
+        "worse off",
+        "14 linked vehicles are too many for the least core; shared equally",
+        "a bound covers all groups of 14 linked vehicles; none was tried one by one",
+        "planned apart in groups all would save 1.50 EUR more",
+    )
+    gain = replace(told.gain, remark="; ".join(remarks))
+    german = document_of(replace(told, gain=gain), net, language="de").gain
+    assert german is not None
+    assert "linked" not in german.remark
+    assert "zu viele f\u00fcr den Least Core; gleich geteilt; eine Schranke" in german.remark
+    assert german.remark.endswith("w\u00fcrden alle 1,50 EUR mehr sparen")
+    nothing = tuple(replace(one, saved_cents=0, share_cents=0) for one in gain.vehicles)
+    assert document_of(replace(told, gain=replace(gain, vehicles=nothing)), net).gain is None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from ...plans.bill import Bill
@@ -27,6 +28,13 @@ TERMS = {
     "delay": "money.term-delay",
 }
 """Those that have a name in each language."""
+
+
+NEXT_REMARK = re.compile(
+    "; (?=by the rule alone|all together lose|[0-9,]+ linked|what groups of|a bound covers"
+    "|planned apart)"
+)
+"""Where one remark on shares ends and another begins; some hold a semicolon themselves."""
 
 
 def term_name(term: str) -> str:
@@ -99,17 +107,17 @@ def gain_of(plan: Plan) -> GainSharing | None:
     Returns
     -------
     GainSharing or None
-        None where it is not shared.
+        None where it is not shared, or there is none.
     """
     gain = plan.gain
-    if gain is None:
+    if gain is None or not any(one.saved_cents or one.share_cents for one in gain.vehicles):
         return None
     return replace(
         gain,
         rule=fitted(gain.rule),
         currency=fitted(gain.currency),
         manner=fitted(gain.manner),
-        remark=fitted(in_language(gain.remark)),
+        remark=fitted("; ".join(map(in_language, NEXT_REMARK.split(gain.remark)))),
     )
 
 

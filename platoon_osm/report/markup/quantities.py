@@ -113,7 +113,12 @@ def litres(fuel_l: float) -> str:
     str
         With its unit.
     """
-    return f"{number(fuel_l, 1 if abs(fuel_l) < 999.5 else 0)}\u00a0l"
+    return f"{_told(fuel_l, 1 if abs(fuel_l) < 999.5 else 0)}\u00a0l"
+
+
+def _told(value: float, decimals: int) -> str:
+    """Return a number of which nothing is left when it is rounded without a sign."""
+    return number(round(value, decimals) + 0.0, decimals)
 
 
 def clock_span(seconds: float) -> str:
@@ -146,7 +151,7 @@ def carbon(mass_kg: float) -> str:
     str
         With its unit.
     """
-    return f"{number(mass_kg, 1 if abs(mass_kg) < 9.95 else 0)}\u00a0kg"
+    return f"{_told(mass_kg, 1 if abs(mass_kg) < 9.95 else 0)}\u00a0kg"
 
 
 def percent(share: float) -> str:

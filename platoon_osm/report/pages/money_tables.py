@@ -60,7 +60,7 @@ def _bill(document: Document, bill: Bill) -> Piece:
     together = bool(document.platoons)
     notes = [say("money.note")] if together else []
     if unpaid:
-        notes.append(say("money.nothing", terms=joined(unpaid, len(unpaid))))
+        notes.append(say("money.nothing", terms=", ".join(unpaid)))
     rows = [
         _row(document, index, _amounts(one.joint_cents, one.alone_cents, paid, together))
         for index, one in enumerate(bill.vehicles)
