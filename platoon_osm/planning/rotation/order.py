@@ -73,6 +73,9 @@ class Led:
 MOST_TRIED = 40
 """Of more companies than this the later ones are not tried without a change."""
 
+MOST_TRIES = 150
+"""So many times at most the whole plan is led anew."""
+
 
 def led_evenly(
     net: RoadNetwork,
@@ -83,43 +86,6 @@ def led_evenly(
     longer_m: float,
 ) -> Led:
     """Return who leads what, so that all lead about what they are asked to.
-
-    Parameters
-    ----------
-    net, stretches, companies, willing, least_m, longer_m : object
-        As in `led_in_turns`.
-
-    Returns
-    -------
-    Led
-        The best of those tried.
-    """
-
-    def led(some: frozenset[int]) -> Led:
-        return led_in_turns(net, stretches, companies, willing, least_m, longer_m, some)
-
-    held: frozenset[int] = frozenset()
-    best = led(held)
-    improved = True
-    while improved:
-        improved = False
-        for number in range(min(len(companies), MOST_TRIED)):
-            other = led(held ^ {number})
-            if other.rank < best.rank:
-                best, held, improved = other, held ^ {number}, True
-    return best
-
-
-def led_in_turns(
-    net: RoadNetwork,
-    stretches: Sequence[Stretch],
-    companies: Sequence[Company],
-    willing: Sequence[float],
-    least_m: float,
-    longer_m: float,
-    held: Collection[int] = (),
-) -> Led:
-    """Return who leads what.
 
     Parameters
     ----------
@@ -135,6 +101,57 @@ def led_in_turns(
         Nobody leads less before it hands on the lead [m].
     longer_m : float
         By how much an edge has to be longer than a share for places within it [m].
+
+    Returns
+    -------
+    Led
+        The best of those tried.
+    """
+    marks = []
+    for company in companies:
+        own = [stretches[k] for k in company.stretches]
+        even_m = sum(one.length_m for one in own) / len(own[0].vehicles)
+        marks.append(marks_of(net, own, even_m, longer_m))
+
+    def led(some: frozenset[int]) -> Led:
+        return led_in_turns(stretches, companies, marks, willing, least_m, some)
+
+    held: frozenset[int] = frozenset()
+    best = led(held)
+    improved = True
+    tries = 0
+    while improved and tries < MOST_TRIES:
+        improved = False
+        tries += min(len(companies), MOST_TRIED)
+        for number in range(min(len(companies), MOST_TRIED)):
+            other = led(held ^ {number})
+            if other.rank < best.rank:
+                best, held, improved = other, held ^ {number}, True
+    return best
+
+
+def led_in_turns(
+    stretches: Sequence[Stretch],
+    companies: Sequence[Company],
+    marks: Sequence[Sequence[Mark]],
+    willing: Sequence[float],
+    least_m: float,
+    held: Collection[int] = (),
+) -> Led:
+    """Return who leads what.
+
+    Parameters
+    ----------
+    stretches : sequence of Stretch
+        Of the plan.
+    companies : sequence of Company
+        Each after those its vehicles come from.
+    marks : sequence of sequence of Mark
+        For each company, where it may hand on the lead.
+    willing : sequence of float, (N,)
+        What part of its fair share each leads, in [0, 1].
+    least_m : float
+        Nobody leads less before it hands on the lead [m].
     held : collection of int
         Positions of companies within which the lead does not change.
 
@@ -155,20 +172,20 @@ def led_in_turns(
         for vehicle, share in zip(row, shares, strict=True):
             fair[vehicle] += length_m / len(row)
             asked[vehicle] += share
-        marks = [] if number in held else marks_of(net, own, length_m / len(row), longer_m)
+        places = () if number in held else marks[number]
         turns = turns_in_front(
             Row(
                 tuple(asked[one] - led[one] for one in row),
                 tuple(one in company.goes_on for one in row),
                 since_m,
             ),
-            [mark.at_m for mark in marks],
+            [mark.at_m for mark in places],
             length_m,
             least_m,
         )
         for turn in turns:
             led[row[turn.place]] += turn.end_m - turn.begin_m
-        at = {mark.at_m: mark for mark in marks}
+        at = {mark.at_m: mark for mark in places}
         begins = [(at.get(turn.begin_m), turn.place) for turn in turns]
         parts |= _parts(company, row, begins, since_m > 0)
         last = turns[-1]

@@ -96,6 +96,9 @@ def turns_in_front(
         In driving order, together the whole road; without those of length 0.
     """
     inner = [at for at in places_m if 0 < at < length_m]
+    if not inner and 0 < row.since_m < least_m - SAME_M:
+        # Who has just come to lead goes on.
+        return (Turn(0, 0.0, length_m),)
     bounds = np.array([0.0, *inner, length_m])
     count = min(len(row.owes_m), MOST)
     lengths = bounds[None, :] - bounds[:, None]
