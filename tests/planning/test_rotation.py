@@ -6,7 +6,7 @@ from datetime import datetime
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from paused_plans import day_with_breaks, night
 from random_networks import network, problems
@@ -65,11 +65,13 @@ def rows(draw):
 
 @settings(max_examples=150, deadline=None)
 @given(rows())
+@example((Row((10e3, 10e3, 40e3), (True, True, True)), [10e3, 20e3, 30e3], 40e3, 0.0))
 def test_turns_are_the_best_of_all_choices(asked):
     row, places, length, least = asked
 
     def away(led):
-        return [abs(one - other) for one, other in zip(row.owes_m, led, strict=True)]
+        owes = [min(max(one, 0.0), length) for one in row.owes_m]
+        return [abs(one - other) for one, other in zip(owes, led, strict=True)]
 
     # The lengths are whole kilometres: deviations within a metre are equal.
     best = min(
@@ -155,6 +157,17 @@ def test_who_joins_comes_in_at_the_back_and_who_leaves_drops_out():
     assert len(plan.rotation.changes) == 2
 
 
+def test_what_was_led_in_companies_before_counts():
+    # A leads 20 km before C joins and 20 km more before D does: enough to hand on the lead there.
+    net = network([*range(8), 9, 10], [*range(1, 9), 2, 4], [10e3] * 8 + [5e3] * 2,
+                  np.linspace(9, 12, 11), np.full(11, 45.0))  # fmt: skip
+    trips = [po.Trip(name, start, 8) for name, start in zip("ABCD", (0, 0, 9, 10), strict=True)]
+    plan = planned(net, trips, master="A")
+    assert [one for one in order(plan) if len(one[0]) > 1] == [
+        ("AB", 20), ("ABC", 20), ("BCDA", 40),
+    ]  # fmt: skip
+
+
 SAME_EVENTS = ("kind", "point", "movers", "others")
 
 
@@ -207,6 +220,12 @@ def check_changes(plan):
                 turned = second.index(first[0])
                 assert second[turned:] + second[:turned] == first
                 found[other] = first[0]
+    for index, way in enumerate(plan.ways):
+        for one, other in itertools.pairwise(way):
+            first, second = plan.stretches[one].vehicles, plan.stretches[other].vehicles
+            # Of those who drive on together another one leads.
+            if first[0] == index and len(second) > 1 and second[0] in first[1:]:
+                found[other] = index
     assert found.items() <= told.items()
     for number, former in told.items():
         way = plan.ways[former]

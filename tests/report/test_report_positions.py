@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+from dataclasses import replace
 from datetime import datetime
 from functools import cache
 from pathlib import Path
@@ -130,6 +131,20 @@ def test_sheets_tell_when_to_take_the_lead_and_when_to_hand_it_on(tmp_path):
                 (step,) = (one for one in steps if one.at_m == pytest.approx(at_m))
                 assert step.place.name == change.point.name
                 assert step.lead == (plan.stretches[change.stretch].vehicles[0], change.former)
+
+
+def test_who_does_not_fall_back_to_the_end_is_not_told_so(tmp_path):
+    plan, net = planned()
+    change = next(one for one in plan.rotation.changes
+                  if len(plan.stretches[one.stretch].vehicles) > 2)  # fmt: skip
+    stretches = list(plan.stretches)
+    leader, *others = stretches[change.stretch].vehicles
+    order = (leader, *sorted(others, key=lambda one: one != change.former))
+    stretches[change.stretch] = replace(stretches[change.stretch], vehicles=order)
+    po.write_sheets(replace(plan, stretches=tuple(stretches)), net, tmp_path)
+    former, leads = (plan.trips[one].vehicle for one in (change.former, leader))
+    told = text_of((tmp_path / f"{former.lower()}.html").read_text("utf-8"))
+    assert f"Hand on the lead to {leads}. " in told
 
 
 def test_figures_show_positions():

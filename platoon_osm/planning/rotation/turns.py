@@ -7,7 +7,8 @@ end. On a road of length L with places p where that may happen, the turns are bo
 
 so vehicle j of the row leads x_(j+1) - x_j, at most once. A turn that is not the last is nothing
 (the vehicle is passed over) or at least the least turn; so is the last one, unless its vehicle
-drives on in company. With o_j what vehicle j owes, the greatest |o_j - (x_(j+1) - x_j)| is made
+drives on in company. With o_j what vehicle j owes, but from 0 to L, for no road lets it lead more
+or less, the greatest |o_j - (x_(j+1) - x_j)| is made
 least, then the number of changes, then the sum of squares. Two passes over (vehicle, place), one
 for each of the first two aims, are exact.
 """
@@ -103,12 +104,11 @@ def turns_in_front(
     count = min(len(row.owes_m), MOST)
     lengths = bounds[None, :] - bounds[:, None]
     steps = [_allowed(row, j, lengths, least_m) for j in range(count)]
-    owed = np.array(row.owes_m)
+    owed = np.clip(row.owes_m, 0.0, length_m)
     away = [np.abs(owed[j] - lengths) for j in range(count)]
-    behind = float(np.abs(owed[count:]).max(initial=0.0))
     far = [np.where(ok, off, np.inf) for ok, off in zip(steps, away, strict=True)]
     worst, _ = _least(far, np.maximum)
-    most = max(worst, behind) + SAME_M
+    most = worst + SAME_M
     # Every turn but that of the first begins with a change, if anybody led before.
     begins = (lengths > 0) & ((bounds > 0)[:, None] | (row.since_m > 0))
     # All else equal, those in front lead.
