@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from .report.pages.flows import write_flows
     from .report.pages.in_languages import write_pages
     from .report.pages.page import explore, write_html
+    from .report.pages.what_if import write_what_if
     from .report.sheets.write import write_sheets
     from .search.engine import many_to_many
     from .sources.load import load_network
@@ -114,6 +115,7 @@ _WHERE = {
     "write_geopackage": "report.exports.gis",
     "write_html": "report.pages.page",
     "write_pages": "report.pages.in_languages",
+    "write_what_if": "report.pages.what_if",
     "write_sheets": "report.sheets.write",
     "explore": "report.pages.page",
     "write_comparison": "report.pages.comparison",
@@ -201,6 +203,7 @@ __all__ = [
     "write_html",
     "write_pages",
     "write_sheets",
+    "write_what_if",
 ]
 
 

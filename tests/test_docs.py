@@ -89,7 +89,7 @@ def runs(module):
 
 def typed(command, text):
     """Return what follows a command where it begins a line or a quotation."""
-    return re.findall(rf"(?m)(?:^ *|`){command} ([a-z]+)", text)
+    return re.findall(rf"(?m)(?:^ *|`){command} ([a-z]+(?:-[a-z]+)*)", text)
 
 
 def missing_names(text):

@@ -98,6 +98,7 @@ def _calls(given: dict[str, Any]) -> dict[str, Call]:
         "what_if": (po.what_if, {
             "problem": po.Problem(given["other"], (po.Trip("A", 0, 1),), po.money_costs()),
             "figure": "fuel_per_l", "values": [1.0, 2.0], "tolerance": 1.0,
+            "plan": None,
         }),
         "place_table": (po.place_table, {
             "net": net, "origins": ["Torino"], "destinations": ["Trieste"], "measure": "km",

@@ -26,6 +26,7 @@ Examples:
   platoon-osm prepare germany.osm.pbf --country DE -o germany.platoon
   platoon-osm plan corridor.toml --html plan.html --gpkg plan.gpkg
   platoon-osm compare corridor.toml --cases A,B,C -o compare.html
+  platoon-osm what-if corridor.toml --objective eu --price 1.4:2.2:0.1
   platoon-osm study --runs 100 --seed 0 -o out/study
 """
 
@@ -43,7 +44,9 @@ class _Verbs(click.Group):
     ) -> click.Command | None:
         if cmd_name in VERBS:
             load_extensions()  # a verb's options may be made from lists that they add to
-            verb: click.Command = import_module(f".verbs.{cmd_name}", __package__).verb
+            verb: click.Command = import_module(
+                f".verbs.{cmd_name.replace('-', '_')}", __package__
+            ).verb
             return verb
         added = added_verbs().get(cmd_name)
         return load_verb(added) if added else None

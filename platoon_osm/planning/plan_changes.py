@@ -11,13 +11,9 @@ from collections.abc import Iterator
 
 from ..plans.plan import Plan
 from ..plans.plan_change import Change
-from ..plans.text_table import listed
 from ..plans.vehicles import VehiclePlan
 
 __all__ = ["changes", "in_company", "leaders"]
-
-MINUTE_S = 60.0
-"""Departures that differ by less are the same to whoever reads the clock."""
 
 
 def changes(plan: Plan, before: Plan) -> tuple[Change, ...]:
@@ -73,7 +69,7 @@ def leaders(plan: Plan) -> tuple[str, ...]:
 def _changes(plan: Plan, before: Plan) -> Iterator[Change]:
     lead, led = leaders(plan), leaders(before)
     if lead and led and lead != led:
-        yield Change("leads" if len(lead) == 1 else "lead", listed(lead), before=listed(led))
+        yield Change("leads", "", lead, led)
     # Of whoever comes or goes that is said once, not again of those who drive with it.
     moved = frozenset(in_company(plan)) ^ frozenset(in_company(before))
     for index, (now, then) in enumerate(zip(plan.vehicles, before.vehicles, strict=True)):
@@ -83,36 +79,36 @@ def _changes(plan: Plan, before: Plan) -> Iterator[Change]:
             yield change
         if told:
             continue
-        leaves, left = plan.times[index], before.times[index]
-        if (
-            leaves is not None
-            and left is not None
-            and abs(leaves.departure_s - left.departure_s) >= MINUTE_S
-        ):
-            assert plan.timetable is not None
-            assert before.timetable is not None
-            at = plan.timetable.clock.text(leaves.departure_s)
-            was = before.timetable.clock.text(left.departure_s)
-            yield Change("leaves", now.vehicle, at, was)
+        at, was = _leaves(plan, index), _leaves(before, index)
+        if at != was:
+            yield Change("leaves", now.vehicle, (at,), (was,))
+
+
+def _leaves(plan: Plan, vehicle: int) -> str:
+    """Return when a vehicle leaves, to the minute; empty without times."""
+    times = plan.times[vehicle]
+    if times is None or plan.timetable is None:
+        return ""
+    return plan.timetable.clock.text(times.departure_s)
 
 
 def _of_vehicle(now: VehiclePlan, then: VehiclePlan, moved: frozenset[str]) -> Iterator[Change]:
     name = now.vehicle
     partners, others = _partners(now), _partners(then)
     if partners and not others:
-        yield Change("joins", name, listed(partners))
+        yield Change("joins", name, partners)
         return
     if others and not partners:
         yield Change("alone", name)
         return
     if (set(partners) ^ set(others)) - moved:
-        yield Change("company", name, listed(partners), listed(others))
+        yield Change("company", name, partners, others)
     elsewhere = False
     for kind in ("merge", "separation"):
         point, was = getattr(now, kind), getattr(then, kind)
         if point is not None and was is not None and point.name != was.name:
             elsewhere = True
-            yield Change(kind, name, point.name, was.name)
+            yield Change(kind, name, (point.name,), (was.name,))
     if not elsewhere and partners == others and now.edges != then.edges:
         yield Change("road", name)
 

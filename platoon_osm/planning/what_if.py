@@ -50,7 +50,12 @@ LESS_RELIEF = "it may not be within the rules where a follower's clock slows les
 
 
 def what_if(
-    problem: Problem, figure: str, values: Iterable[Value], *, tolerance: float | None = None
+    problem: Problem,
+    figure: str,
+    values: Iterable[Value],
+    *,
+    tolerance: float | None = None,
+    plan: Plan | None = None,
 ) -> WhatIf:
     """Plan anew for each value of a figure, all else being the same.
 
@@ -67,6 +72,8 @@ def what_if(
     tolerance : float, optional
         How near the value is told at which company begins to pay; by default a hundredth of the
         range of the values.
+    plan : Plan, optional
+        The plan as asked, where it was made before.
 
     Returns
     -------
@@ -83,7 +90,12 @@ def what_if(
     asked, wanted = _checked(problem, figure, values)
     if tolerance is not None and not (is_number(tolerance) and tolerance > 0):
         raise ScenarioError(f"what_if: tolerance {brief(tolerance)} is none; give one above 0")
-    study = _Study(problem, figure, asked)
+    names = [trip.vehicle for trip in problem.trips]
+    if plan is not None and not (
+        isinstance(plan, Plan) and [trip.vehicle for trip in plan.trips] == names
+    ):
+        raise ScenarioError(f"what_if: plan {brief(plan)} is not that of the problem; leave it out")
+    study = _Study(problem, figure, asked, plan)
     for value in wanted:  # all are checked before any is planned
         study.problem_of(value)
     rows = tuple(study.row(value) for value in wanted)
@@ -151,9 +163,9 @@ def _unit_of(problem: Problem, figure: str) -> str:
 class _Study:
     """A problem whose figure takes values; what was planned is kept."""
 
-    def __init__(self, problem: Problem, figure: str, asked: Value) -> None:
+    def __init__(self, problem: Problem, figure: str, asked: Value, plan: Plan | None) -> None:
         self.problem, self.figure, self.asked = problem, figure, asked
-        self._plans: dict[Value, Plan] = {}
+        self._plans: dict[Value, Plan] = {} if plan is None else {asked: plan}
 
     @cached_property
     def base(self) -> Plan:
@@ -182,10 +194,13 @@ class _Study:
 
     def kept(self, plan: Plan, value: Value) -> Plan:
         """Return a plan with what it costs at a value."""
-        if self.figure == TASK_RELIEF or plan is self.plan(value):
+        new = self.plan(value)
+        if self.figure == TASK_RELIEF or plan is new:
             return plan
+        if _driven(plan) == _driven(new):
+            return new  # sums of other stretches would differ by a cent
         kept = self._kept if plan is self.base else self._kept.kept(plan)
-        return kept.priced(self.problem_of(value), self.plan(value))
+        return kept.priced(self.problem_of(value), new)
 
     def row(self, value: Value) -> WhatIfRow:
         """Return what is told of a value."""
@@ -265,6 +280,13 @@ class _Study:
 
 QUICK = "takes a quicker route than its cheapest"
 """Whoever does drives alone not what is cheapest, so what it pays alone is not concave."""
+
+
+def _driven(plan: Plan) -> tuple[object, ...]:
+    """Return who drives what with whom, and when."""
+    roads = [(one.edges, one.span, one.access, one.vehicles) for one in plan.stretches]
+    times = [None if one is None else (one.departure_s, one.legs) for one in plan.times]
+    return roads, plan.ways, times
 
 
 def _changed(objective: Any, figure: str, value: Value) -> Any:

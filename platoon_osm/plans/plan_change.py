@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .text_table import named
+from .text_table import listed, named
 
 __all__ = ["Change"]
-
-WIDEST = 80
-"""Columns that a list of names may take."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,30 +15,29 @@ class Change:
 
     Attributes
     ----------
-    kind : {"leads", "lead", "joins", "alone", "company", "merge", "separation", "road", "leaves"}
-        "leads", "lead": it, or several, leads instead of `before`. "joins": it drives with `now`
-        and drove alone. "alone": it drives alone and did not. "company": it drives with `now`
-        instead of `before`. "merge", "separation": it does so at `now` instead of `before`. "road":
-        it takes another road. "leaves": it leaves at `now` instead of `before`.
+    kind : {"leads", "joins", "alone", "company", "merge", "separation", "road", "leaves"}
+        "leads": `now` lead instead of `before`. "joins": it drives with `now` and drove alone.
+        "alone": it drives alone and did not. "company": it drives with `now` instead of `before`.
+        "merge", "separation": it does so at `now` instead of `before`. "road": it takes another
+        road. "leaves": it leaves at `now` instead of `before`.
     vehicle : str
-        Its name.
-    now, before : str
-        Names, or times of day; empty where the kind needs none.
+        Its name; empty for "leads".
+    now, before : tuple of str
+        Names of vehicles, or of a place, or a time of day; empty where the kind needs none.
     """
 
     kind: str
     vehicle: str
-    now: str = ""
-    before: str = ""
+    now: tuple[str, ...] = ()
+    before: tuple[str, ...] = ()
 
     @property
     def text(self) -> str:
         """What is otherwise, such as "B merges at Brescia Est instead of Bergamo"."""
-        who, now, before = (named(one, WIDEST) for one in (self.vehicle, self.now, self.before))
+        who, now, before = named(self.vehicle), listed(self.now), listed(self.before)
         instead = f" instead of {before}" if before else ""
         return {
-            "leads": f"{who} leads{instead}",
-            "lead": f"{who} lead{instead}",
+            "leads": f"{now} lead{'s' if len(self.now) == 1 else ''}{instead}",
             "joins": f"{who} drives with {now}",
             "alone": f"{who} stays alone",
             "company": f"{who} drives with {now}{instead}",

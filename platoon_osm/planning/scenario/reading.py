@@ -107,6 +107,7 @@ def _scenario(
         costs={key: value for key, value in costs.items() if key != "preset"},
         preset=preset.name,
         profiles=profiles,
+        names_costs=bool(costs),
     )
 
 

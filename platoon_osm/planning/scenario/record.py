@@ -50,6 +50,8 @@ class Scenario:
         Name of the costs in `PRESETS`.
     profiles : mapping of str to Vehicle
         Vehicles of its own, by the names that trips use.
+    names_costs : bool
+        Whether it says itself what its costs are.
     files : tuple of Path
         What it was read from, itself and its table of trips; no output may replace them.
     """
@@ -63,6 +65,7 @@ class Scenario:
     preset: str = DEFAULT_PRESET
     files: tuple[Path, ...] = ()
     profiles: Mapping[str, Vehicle] = field(default_factory=dict)
+    names_costs: bool = False
 
     def objective(self) -> Objective:
         """Return the costs the scenario asks for.

@@ -45,6 +45,7 @@ FRAGMENT_FILES = (
     "flows.html",
     "sheets.html",
     "notebook.html",
+    "what_if.html",
 )
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)
