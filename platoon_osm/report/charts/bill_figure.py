@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from ...shown_text import shortened
 from ..document.bill_parts import term_name
 from ..document.model import Document
-from ..drawing.palette import MUTED, VEHICLES
+from ..drawing.palette import MUTED, TERMS
 from ..language.speech import number, say
 from ..markup.quantities import cost_unit
 from .paper import WIDTH_IN
@@ -24,15 +24,6 @@ if TYPE_CHECKING:
 __all__ = ["bill_figure"]
 
 MOST_ROWS = 24
-
-COLOURS = {
-    "fuel": VEHICLES[0],
-    "driver": "#98a3b0",
-    "toll": "#d8b13c",
-    "co2": VEHICLES[2],
-    "waiting": VEHICLES[1],
-    "delay": VEHICLES[3],
-}
 
 PALE = 0.45
 
@@ -76,7 +67,7 @@ def bill_figure(document: Document) -> Figure | None:
     shown = [place for place, term in enumerate(bill.terms) if any(bill.of_term(term))]
     figure = Figure(figsize=(WIDTH_IN, 1.35 + 0.46 * len(rows)), layout="constrained")
     costs, saved = figure.subplots(1, 2, sharey=True, width_ratios=(3, 2))
-    colours = [COLOURS.get(term, MUTED) for term in bill.terms]
+    colours = [TERMS.get(term, MUTED) for term in bill.terms]
     for row, (_, alone, joint) in enumerate(rows):
         _stack(costs, row - 0.2, alone, colours, PALE)
         _stack(costs, row + 0.2, joint, colours, 1.0)

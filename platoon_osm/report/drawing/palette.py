@@ -20,6 +20,7 @@ __all__ = [
     "PLATOON",
     "PLATOON_CASING",
     "REST",
+    "TERMS",
     "TICK",
     "TRAFFIC",
     "VEHICLES",
@@ -63,3 +64,13 @@ TRAFFIC = FLOWS[1]
 # All keep 4.5:1 against white, so that a white letter reads on them and they read on paper;
 # neighbours in the list differ for the three common kinds of colour blindness.
 VEHICLES = (GAIN, "#c14900", "#007a5a", "#8f3c97", "#7a5a00", "#b3124f", "#4152c4", CROWD)
+
+TERMS = {
+    "fuel": VEHICLES[0],
+    "driver": "#98a3b0",
+    "toll": "#d8b13c",
+    "co2": VEHICLES[2],
+    "waiting": VEHICLES[1],
+    "delay": VEHICLES[3],
+}
+"""What is paid for, in a figure of a bill; they differ in grey as well."""
