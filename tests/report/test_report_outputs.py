@@ -7,6 +7,7 @@ import xml.etree.ElementTree as ElementTree
 from contextlib import closing
 
 import pytest
+from money_plans import in_money
 from po_valley import THREE, make_plan, po_valley
 
 import platoon_osm as po
@@ -18,6 +19,12 @@ from platoon_osm.report.exporters import EXPORTERS
 FILES = [name for name in EXPORTERS if not EXPORTERS[name].is_folder]
 KINDS = [*(name for name in EXPORTERS if name != "figures"), "compare"]
 """Figures take seconds, so they are tried apart."""
+
+
+@pytest.fixture(scope="module")
+def plan(plan):
+    """In money, or it had no bill to write."""
+    return in_money(plan)
 
 
 def writer(kind):
@@ -128,7 +135,7 @@ def test_folders_made_for_nothing_are_gone_again(kind, plan, net, tmp_path, monk
 def test_halves_of_characters_are_written_alike(tmp_path):
     half, whole = "half \ud83d of one", "half \ufffd of one"
     net = po_valley(lambda name: f"{half} {name}", Source(half, half, half, half, half))
-    plan = make_plan(net, THREE, lambda name: f"{name} {half}")
+    plan = in_money(make_plan(net, THREE, lambda name: f"{name} {half}"))
     for name in FILES:
         path = tmp_path / f"plan-{name}{EXPORTERS[name].suffix}"
         EXPORTERS[name].write(plan, net, path, title=half)

@@ -67,10 +67,10 @@ VEHICLES = (GAIN, "#c14900", "#007a5a", "#8f3c97", "#7a5a00", "#b3124f", "#4152c
 
 TERMS = {
     "fuel": VEHICLES[0],
-    "driver": "#98a3b0",
-    "toll": "#d8b13c",
+    "driver": MUTED,
+    "toll": PLATOON,
     "co2": VEHICLES[2],
     "waiting": VEHICLES[1],
     "delay": VEHICLES[3],
 }
-"""What is paid for, in a figure of a bill; they differ in grey as well."""
+"""What is paid for, in a figure of a bill."""
