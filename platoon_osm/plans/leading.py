@@ -62,7 +62,9 @@ def leading(plan: Plan) -> Leading | None:
     names = tuple(plan.trips[vehicle].vehicle for vehicle in best)
     if level >= plan.joint_cost >= level * (1 - 3 * SAME):
         return Leading(who, names)
-    return Leading(who, names, 1 - least / plan.solo_cost if plan.solo_cost else 0.0)
+    saving = 1 - least / plan.solo_cost if plan.solo_cost else 0.0
+    # Nothing is no loss: sums of the same edges differ in their last digits.
+    return Leading(who, names, 0.0 if abs(saving) < SAME else saving)
 
 
 def leading_text(plan: Plan) -> str:
