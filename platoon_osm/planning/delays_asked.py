@@ -14,7 +14,7 @@ __all__ = ["checked_delays"]
 
 
 def checked_delays(
-    delays: object, robust: object, trips: Sequence[Trip], planned_freely: bool
+    delays: object, robust: object, trips: Sequence[Trip], is_exact: bool
 ) -> Delays | None:
     """Return the delays of a problem.
 
@@ -26,8 +26,8 @@ def checked_delays(
         Whether they count in the choice, as it was given.
     trips : sequence of Trip
         Who goes where; a spread that one names is its vehicle's.
-    planned_freely : bool
-        Whether the plan is made by Dijkstra's method and without driving rules.
+    is_exact : bool
+        Whether the plan is made by Dijkstra's method.
 
     Returns
     -------
@@ -60,9 +60,9 @@ def checked_delays(
         factor(delays.correlations([trip.vehicle for trip in trips]))
     if robust and not any(trip.times for trip in trips):
         raise ScenarioError("robust needs a clock; give at least one trip an earliest_departure")
-    if robust and not planned_freely:
+    if robust and not is_exact:
         raise ScenarioError(
-            "robust compares plans without driving rules, by method dijkstra; leave out robust "
-            "and the chances of the merges are told all the same"
+            "robust compares plans by method dijkstra; leave out robust and the chances of the "
+            "merges are told all the same"
         )
     return delays

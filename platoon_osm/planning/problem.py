@@ -175,8 +175,8 @@ class Problem:
             raise ScenarioError("case 'D' is beyond the paper's A*; use method dijkstra")
         check_one_clock(self.trips)
         self._check_rules()
-        planned_freely = self.method == "dijkstra" and not self.limits_driving
-        delays = checked_delays(self.delays, self.robust, self.trips, planned_freely)
+        is_exact = self.method == "dijkstra"
+        delays = checked_delays(self.delays, self.robust, self.trips, is_exact)
         object.__setattr__(self, "delays", delays)
 
     def _check_rules(self) -> None:

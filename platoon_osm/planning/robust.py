@@ -18,7 +18,6 @@ that of a day on which nobody is late.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -34,28 +33,27 @@ from .apart import apart
 from .best import Best
 from .masters import candidates
 from .meeting_chances import DelaysSimulated, runs_for, simulate_delays
+from .most_expected import (
+    KEPT_APART,
+    MOST_APART,
+    MOST_RUNS,
+    ROBUST,
+    later_than,
+    most_expected,
+)  # fmt: skip
 from .question import Question
 from .reasons import reasons_alone
 from .timing.days import Day, Stand
 from .timing.hours_check import broken_hours
 
-__all__ = ["ROBUST", "Finish", "most_robust"]
-
-ROBUST = "chosen for the saving expected with delays, among the plans compared"
-KEPT_APART = "company is expected to cost more than it saves, with delays"
+__all__ = ["Finish", "most_robust"]
 
 BUFFERS_MIN = (2.0, 5.0, 10.0, 15.0, 20.0)
 """How much earlier movers aim to be there [min]."""
 MOST_BUFFER_S = 3600.0
 """Nobody aims to be there earlier than this by itself [s]."""
-MOST_RUNS = 4_000
-"""Days on which plans are compared."""
 MOST_BUFFERED = 3
 """How many of the best plans are tried with movers that come earlier."""
-MOST_APART = 12
-"""Of larger plans nobody is taken out one by one, for every plan is timed anew."""
-ERRORS = 2.0
-"""Standard errors of the difference by which another plan must be better."""
 SURE = 0.999
 """Merges that succeed so often need no second look at what they are worth."""
 
@@ -126,23 +124,8 @@ class _Choice:
         for one in compared[:MOST_BUFFERED]:
             for days in _buffers(one, self._prices):
                 self._look_at(compared, one.best, one.reasons, days)
-        chosen = max(compared, key=lambda one: one.expected)
-        gained = chosen.days.saved - first.days.saved
-        error = float(gained.std()) / math.sqrt(len(gained))
-        if chosen.expected - first.expected <= ERRORS * error:
-            chosen = first
-        remark = (
-            f"{len(compared)} plans compared on {len(gained):,} days of delays: this one is "
-            f"expected to save {self._share(chosen):.1%}, the cheapest {self._share(first):.1%}"
-        )
-        found = chosen.plan
-        if chosen is not first and ROBUST not in found.proof.conditions:
-            conditions = (*found.proof.conditions, ROBUST)
-            found = replace(found, proof=replace(found.proof, conditions=conditions))
-        return replace(found, remarks=(*found.remarks, remark))
-
-    def _share(self, one: _Candidate) -> float:
-        return one.expected / one.plan.solo_cost if one.plan.solo_cost else 0.0
+        others = [one for one in compared if one is not first]
+        return most_expected([(one.plan, one.days) for one in (first, *others)])
 
     @property
     def _prices(self) -> TimePrices:
@@ -164,7 +147,7 @@ class _Choice:
     ) -> None:
         """Add a plan to those compared, if nobody is later or breaks more than by the cheapest."""
         plan = self.finish(best, reasons, days)
-        if _later(plan, self.plan) or any(_same(plan, one.plan) for one in compared):
+        if later_than(plan, self.plan) or any(_same(plan, one.plan) for one in compared):
             return
         net = network_below(self.question.net)
         broken = [len(list(broken_hours(one, net, self.vehicles))) for one in (plan, self.plan)]
@@ -238,12 +221,6 @@ def _buffers(one: _Candidate, prices: TimePrices) -> Iterator[list[Day]]:
                     stands[mover].append(Stand(leg, least_s, ("company",)))
         if any(stands):
             yield [Day(tuple(sorted(some, key=lambda stand: stand.leg))) for some in stands]
-
-
-def _later(plan: Plan, than: Plan) -> bool:
-    """Tell whether anybody is late by a plan who is less so by another."""
-    pairs = zip(plan.times, than.times, strict=True)
-    return any(one and other and one.late_s > other.late_s + 1.0 for one, other in pairs)
 
 
 def _same(plan: Plan, other: Plan) -> bool:

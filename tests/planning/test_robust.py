@@ -11,7 +11,7 @@ from soak import chosen, soaked
 
 import platoon_osm as po
 from platoon_osm.errors import ScenarioError
-from platoon_osm.planning.robust import ROBUST
+from platoon_osm.planning.most_expected import ROBUST
 
 DAY = datetime(2026, 3, 2, 6)
 
@@ -228,7 +228,6 @@ def test_own_spreads_of_trips_count():
         ({"robust": True}, "robust weighs delays; give delays too"),
         ({"robust": 1, "delays": po.Delays(8)}, "robust is 1; give True or False"),
         ({"delays": 8}, "delays is a int; make it Delays"),
-        ({"delays": po.Delays(8), "robust": True, "rules": "eu561"}, "without driving rules"),
         ({"delays": po.Delays(8), "robust": True, "method": "astar"}, "method dijkstra"),
         ({"delays": po.Delays(8, pairs={("M", "m"): 0.9, ("m", "n"): 0.9, ("M", "n"): -0.9})},
          "not positive semidefinite"),

@@ -81,6 +81,10 @@ def solved_under_law(question: Question, vehicles: Sequence[Vehicle], write: Wri
         timed = finish(planned_platoons(legal))
     else:
         timed = least_with_time(legal, finish)
+    if question.problem.robust:
+        from .robust_platoons import most_robust_under_law
+
+        timed = most_robust_under_law(legal, timed, finish)
     return replace(timed, remarks=(*timed.remarks, *_late(legal, timed), *told_quick(question)))
 
 

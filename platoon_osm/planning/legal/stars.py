@@ -74,7 +74,12 @@ class Planned:
     work: int = 0
 
 
-def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Planned:
+def planned_platoons(
+    legal: LegalQuestion,
+    most_spans: int = MOST_SPANS,
+    masters: Sequence[int] | None = None,
+    among: Collection[int] | None = None,
+) -> Planned:
     """Return the platoons of a question under driving rules.
 
     Parameters
@@ -83,6 +88,10 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
         What is asked, with its law.
     most_spans : int
         Spans of departures that are looked at for all masters together, about.
+    masters : sequence of int, optional
+        Who may be the master of the first platoon; by default whoever the question lets.
+    among : collection of int, optional
+        Who may drive in company; by default all.
 
     Returns
     -------
@@ -93,9 +102,10 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
     everyone = range(len(question.ends))
     if len(everyone) < 2:
         return plan
-    free = set(everyone)
+    free = set(everyone if among is None else among)
     fixed = question.fixed_master
-    first = _best_star(legal, None, everyone if fixed is None else [fixed], plan, most_spans)
+    usual = sorted(free) if fixed is None else [fixed]
+    first = _best_star(legal, among, usual if masters is None else masters, plan, most_spans)
     if first is None:
         return plan
     plan.company = len(first.joined) - 1
@@ -104,6 +114,8 @@ def planned_platoons(legal: LegalQuestion, most_spans: int = MOST_SPANS) -> Plan
         min(plan.cost if one is None else one, plan.cost)
         for one in (plan.bound, plan.waiting_bound)
     )
+    if masters is not None or among is not None:
+        plan.bound = plan.waiting_bound = None
     several = question.problem.company == "anywhere" and question.problem.case in ("C", "best")
     free -= set(first.joined)
     while several and len(free) > 1:
