@@ -113,7 +113,8 @@ def test_its_demo_plans_three_trucks_and_writes_the_page(capsys, tmp_path, monke
     assert run("demo", "--map", "california-corridor", "-o", "shown") == 0
     out = capsys.readouterr().out
     assert re.search(r"^B merges with A at I 5 near", out, re.MULTILINE)
-    assert re.search(r"^C .*separates at I 5 near Lathrop", out, re.MULTILINE)
+    assert re.search(r"^B .*separates at I 5 / I 580 exit 446, Tracy", out, re.MULTILINE)
+    assert re.search(r"^Saved: \d+\.\d\d USD", out, re.MULTILINE)
     assert "© OpenStreetMap contributors, ODbL 1.0" in out
     page = Path("shown/demo.html").read_text(encoding="utf-8")
     for needed in ("San Diego to Redding with company", "© OpenStreetMap contributors", "ODbL 1.0"):
