@@ -15,10 +15,14 @@ from money_plans import in_money
 from plan_kinds import plan_kind
 
 from platoon_osm.costs.cost_figure import CostFigure
+from platoon_osm.costs.money.objective import money_costs
+from platoon_osm.costs.paper import paper_weights
 from platoon_osm.errors import ScenarioError
 from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans.gain import GainSharing
 from platoon_osm.plans.plan import JointPlan, Plan
+from platoon_osm.plans.trip import Trip
 from platoon_osm.report.charts.bill_figure import bill_figure
 from platoon_osm.report.document.document import document_of, report_document
 from platoon_osm.report.document.findings import find
@@ -384,3 +388,23 @@ def test_remarks_on_shares_are_told_in_the_language(plan: JointPlan, net: RoadNe
     assert german.remark.endswith("w\u00fcrden alle 1,50 EUR mehr sparen")
     nothing = tuple(replace(one, saved_cents=0, share_cents=0) for one in gain.vehicles)
     assert document_of(replace(told, gain=replace(gain, vehicles=nothing)), net).gain is None
+
+
+def test_events_tell_what_those_who_join_save() -> None:
+    net = RoadNetwork.from_edges(
+        [0, 1, 2, 4], [1, 2, 3, 1], [50e3, 200e3, 50e3, 40e3],
+        lon=[9.0, 9.6, 11.0, 11.6, 9.4], lat=[45.0, 45.0, 45.0, 45.0, 45.3],
+    )  # fmt: skip
+    trips = [Trip("A", 0, 3), Trip("B", 4, 2)]
+    plan = plan_joint(net, money_costs("eu", positions="nacfe"), trips, master="A")
+    assert plan.bill is not None
+    bill = plan.bill.vehicles[1]
+    assert bill.saved_cents > 100
+    kg = bill.alone_kg[1] - bill.joint_kg[1]
+    (merge,) = [one for one in document_of(plan, net).events if one.kind == "merge"]
+    assert f"B saves €{bill.saved_cents / 100:.2f} and {carbon(kg)} of CO2e" in merge.detail
+    with speaking("de"):
+        (merge,) = [one for one in document_of(plan, net).events if one.kind == "merge"]
+        assert "B spart in Gesellschaft" in merge.detail
+    other = plan_joint(net, paper_weights(net), trips, master="A")
+    assert not [one for one in document_of(other, net).events if "saves" in one.detail]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from ...plans.chances import MeetingChance
 from ...plans.clock import MENTIONED_S, duration
 from ...plans.records import Event
 from ...shown_text import fitted, shortened, shown
 from ..language.speech import clock_time, number, say
-from ..markup.quantities import kilometres
+from ..markup.quantities import carbon, kilometres
 from .findings import Findings
 from .model_map import EventMark
 from .stop_names import brief_name
@@ -15,6 +17,10 @@ from .timeline import waits_at
 from .wording import MOST_NAMED, joined
 
 __all__ = ["event_mark", "likely", "told_events"]
+
+CENTS = 100
+ROUNDED = 0.03
+"""Amounts that differ by less differ by the rounding of their terms."""
 
 SELDOM = 0.005
 """A chance nearer than this to 0 or 1 is not told as if it were certain."""
@@ -110,7 +116,7 @@ def event_mark(found: Findings, place: int) -> EventMark:
     event, at_s = found.plan.events[place], found.moments[place]
     point = event.point
     chance = found.plan.chances.of_event(place) if found.plan.chances else None
-    details = [_detail(found, event), _waiting(found, event, at_s)]
+    details = [_detail(found, event), _waiting(found, event, at_s), _saving(found, event)]
     text = _text(found, event, at_s)
     if chance is not None:
         text = say("chances.beside", what=text, chance=likely(chance.chance))
@@ -167,6 +173,28 @@ def _waiting(found: Findings, event: Event, at_s: float | None) -> str:
     if len(waits) > MOST_NAMED:
         parts.append(say("events.more-wait", n=len(waits) - MOST_NAMED))
     return ", ".join(parts)
+
+
+def _saving(found: Findings, event: Event) -> str:
+    """Return what those who join save until they drive alone again; empty where it is no money."""
+    plan = found.plan
+    if plan.bill is None or event.kind != "merge":
+        return ""
+    money = mass_kg = 0.0
+    for mover in event.movers:
+        way, bill = plan.ways[mover], plan.bill.vehicles[mover]
+        own = [plan.stretches[k] for k in way[way.index(event.stretch) :]]
+        shares = [one.share_of(mover) for one in takewhile(lambda one: one.together, own)]
+        gained = sum(share.gain or 0.0 for share in shares)
+        whole = bill.saved_cents / CENTS
+        # To the cent as in the table, where it is all that the vehicle saves.
+        money += whole if abs(gained - whole) < ROUNDED else gained
+        saved_l = sum(share.alone_fuel_l - share.fuel_l for share in shares)
+        mass_kg += saved_l * bill.alone_kg[1] / bill.alone_fuel_l if bill.alone_fuel_l else 0.0
+    return say(
+        "events.saves", n=len(event.movers), who=joined(found.letters(event.movers)),
+        cost=found.unit.full(money), kg=carbon(mass_kg),
+    )  # fmt: skip
 
 
 def _detail(found: Findings, event: Event) -> str:
