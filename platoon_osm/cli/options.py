@@ -12,6 +12,7 @@ from click.core import ParameterSource
 from ..costs.presets import PRESETS
 from ..driving.rules import RULES
 from ..errors import ScenarioError
+from ..registry import Named, Registry
 from .outputs import output_kind
 
 __all__ = [
@@ -31,6 +32,7 @@ __all__ = [
 ]
 
 Run = TypeVar("Run", bound=Callable[..., Any])
+Item = TypeVar("Item", bound=Named)
 
 FILE = click.Path(path_type=Path)
 """A path of any kind; whoever opens it says what is wrong with it."""
@@ -85,10 +87,7 @@ def rules_named(text: str) -> str:
     ScenarioError
         There are none of that name.
     """
-    try:
-        return RULES.find(text).name
-    except ScenarioError as error:
-        raise ScenarioError(f"--rules: {error}") from None
+    return _name_in(RULES, text, "--rules")
 
 
 def objective_named(text: str) -> str:
@@ -109,10 +108,14 @@ def objective_named(text: str) -> str:
     ScenarioError
         There is none of that name.
     """
+    return _name_in(PRESETS, text, "--objective")
+
+
+def _name_in(known: Registry[Item], text: str, option: str) -> str:
     try:
-        return PRESETS.find(text).name
+        return known.find(text).name
     except ScenarioError as error:
-        raise ScenarioError(f"--objective: {error}") from None
+        raise ScenarioError(f"{option}: {error}") from None
 
 
 def output_option(

@@ -15,22 +15,22 @@ from typing import Protocol, runtime_checkable
 import numpy as np
 
 from ..costs.cost_figure import CostFigure
+from ..costs.objective import Objective
 from ..costs.tolls.table import toll_of
 from ..driving.rules import places_pauses
 from ..network.road_network import RoadNetwork
-from ..plans.bill import Bill, VehicleBill
+from ..plans.bill import CENTS, Bill, VehicleBill
 from ..plans.plan import Plan
 from ..plans.standing import standing
 
 __all__ = ["Billed", "with_bill"]
 
-CENTS = 100
 TIME_TERMS = ("waiting", "delay")
 """What is paid besides driving."""
 
 
 @runtime_checkable
-class Billed(Protocol):
+class Billed(Objective, Protocol):
     """An objective whose costs are money."""
 
     @property
@@ -55,21 +55,6 @@ class Billed(Protocol):
         -------
         tuple of CostFigure
             All there are.
-        """
-        ...
-
-    def waiting(self, seconds: float) -> float:
-        """Return what waiting costs.
-
-        Parameters
-        ----------
-        seconds : float
-            How long.
-
-        Returns
-        -------
-        float
-            Its cost.
         """
         ...
 

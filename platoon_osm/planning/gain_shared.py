@@ -19,6 +19,7 @@ from ..costs.objective import edge_weights
 from ..costs.weights import EdgeWeights
 from ..errors import ScenarioError, brief
 from ..network.placed import network_below
+from ..plans.bill import CENTS
 from ..plans.gain import GainShare, GainSharing
 from ..plans.plan import Plan
 from ..plans.text_table import listed
@@ -26,7 +27,6 @@ from ..sharing.rule_names import SharingRule
 from ..vehicles.pace import drive_times
 from ..vehicles.profile import Vehicle
 from .fleet import Fleet
-from .planned_company import CENTS
 from .problem import Problem, check_choice
 from .road_game import RoadGame, road_games
 from .sharing_rules import Shared, shared_on_road

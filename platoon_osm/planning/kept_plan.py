@@ -14,11 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..costs.share import Share
-from ..network.placed import PlacedNetwork, network_below
+from ..network.placed import network_below
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from ..plans.records import Stretch
 from .billing import with_bill
+from .driven_pieces import DrivenPieces
 from .ends import located
 from .fleet import Fleet
 from .fleet_of import fleet_of
@@ -72,7 +73,7 @@ class KeptPlan:
         locations = located(problem.net, problem.trips, problem.access, problem.profile)
         places = placed(problem.net, locations, problem.access)
         shut = closed_roads(problem.net, problem.close)
-        pieces = _Pieces(places.net)
+        pieces = places.net.attached(DrivenPieces)
         return cls(plan, places, shut, tuple(map(pieces.of, plan.stretches)))
 
     def kept(self, plan: Plan) -> KeptPlan:
@@ -88,7 +89,7 @@ class KeptPlan:
         KeptPlan
             Ready to be priced.
         """
-        pieces = _Pieces(self.places.net)
+        pieces = self.places.net.attached(DrivenPieces)
         return replace(self, plan=plan, roads=tuple(map(pieces.of, plan.stretches)))
 
     def priced(self, problem: Problem, alone: Plan) -> Plan:
@@ -146,48 +147,3 @@ def _sum(shares: Sequence[Share]) -> Share:
         terms=tuple(map(sum, zip(*(one.terms for one in shares), strict=True))),
         alone_terms=tuple(map(sum, zip(*(one.alone_terms for one in shares), strict=True))),
     )
-
-
-class _Pieces:
-    """Where the roads of a plan are on a network that has places between its junctions."""
-
-    def __init__(self, net: RoadNetwork) -> None:
-        self.net = net
-        if isinstance(net, PlacedNetwork) and net.below is not None:
-            self._order = np.lexsort((net.begins, net.below_edge))
-            self._sorted = net.below_edge[self._order]
-
-    def of(self, stretch: Stretch) -> tuple[Index, Floats]:
-        """Return the edges of a stretch, and how much of each is driven."""
-        net, (begin, end) = self.net, stretch.span
-        if not isinstance(net, PlacedNetwork) or net.below is None:
-            driven = np.ones(len(stretch.edges))
-            if len(driven):
-                driven[0] -= begin
-                driven[-1] -= 1 - end
-            return np.array(stretch.edges, np.int64), driven
-        if stretch.access is not None:
-            return self._access(net, stretch), np.ones(1)
-        found: list[int] = []
-        parts: list[float] = []
-        last = len(stretch.edges) - 1
-        for place, edge in enumerate(stretch.edges):
-            low = begin if place == 0 else 0.0
-            high = end if place == last else 1.0
-            at, until = np.searchsorted(self._sorted, [edge, edge + 1])
-            for piece in self._order[at:until].tolist():
-                first, until_share = float(net.begins[piece]), float(net.ends[piece])
-                on = min(high, until_share) - max(low, first)
-                if on > 0 or first == until_share:
-                    found.append(piece)
-                    parts.append(on / (until_share - first) if on < until_share - first else 1.0)
-        return np.array(found, np.int64), np.array(parts)
-
-    def _access(self, net: PlacedNetwork, stretch: Stretch) -> Index:
-        assert stretch.access is not None
-        for way in np.flatnonzero(net.below_edge < 0).tolist():
-            shape = net.shape(way)
-            line = tuple(shape[0].tolist()), tuple(shape[-1].tolist())
-            if line == stretch.access:
-                return np.array([way], np.int64)
-        raise AssertionError("a way of the plan is none of its places")

@@ -11,19 +11,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..plans.bill import CENTS
 from ..plans.records import Stretch
 from ..sharing.coalitions import best_part, members
 from ..sharing.company import CompanyGame
 from ..sharing.places_in_company import values_by_place
 from .fleet import Fleet
 
-__all__ = ["CENTS", "PlannedCompany"]
+__all__ = ["PlannedCompany"]
 
 Floats = NDArray[np.float64]
 Paces = frozenset[int]
-
-CENTS = 100.0
-"""In a unit of money."""
 
 FIRST_BETWEEN_LAST = 3
 """Size of the least company that has all these places."""

@@ -12,7 +12,10 @@ from typing import Any
 from ..costs.cost_figure import CostFigure
 from ..errors import ScenarioError
 
-__all__ = ["Bill", "VehicleBill"]
+__all__ = ["CENTS", "Bill", "VehicleBill"]
+
+CENTS = 100
+"""In a unit of money."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,14 +9,8 @@ from .plan import Plan
 
 __all__ = ["bill_lines"]
 
-NAMES = {
-    "fuel": "fuel",
-    "driver": "driver",
-    "toll": "toll",
-    "co2": "CO2",
-    "waiting": "waiting",
-    "delay": "delay",
-}
+NAMES = {"co2": "CO2"}
+"""Terms that people write otherwise."""
 
 
 def bill_lines(plan: Plan) -> list[str]:

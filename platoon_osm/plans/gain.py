@@ -63,6 +63,11 @@ class GainSharing:
     remark: str = ""
 
     @property
+    def is_told(self) -> bool:
+        """Whether there is anything to tell: somebody saves, or is to have, something."""
+        return any(one.saved_cents or one.share_cents for one in self.vehicles)
+
+    @property
     def gain_cents(self) -> int:
         """What there is to share."""
         return sum(one.share_cents for one in self.vehicles)

@@ -32,7 +32,7 @@ def gain_lines(plan: Plan) -> list[str]:
         Empty where nothing is shared.
     """
     gain = plan.gain
-    if gain is None or not any(one.saved_cents or one.share_cents for one in gain.vehicles):
+    if gain is None or not gain.is_told:
         return []
     shares = ", ".join(
         f"{named(trip.vehicle)} {_share(one, gain.currency)}"

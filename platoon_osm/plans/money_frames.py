@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from .bill import CENTS
 from .plan import Plan
 
 __all__ = ["MONEY_FRAMES", "bill_rows", "physical_rows"]
 
 Row = dict[str, Any]
-
-CENTS = 100
 
 
 def bill_rows(plan: Plan) -> Iterator[tuple[str, str, int, int]]:

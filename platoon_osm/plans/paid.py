@@ -7,12 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from .bill import CENTS
 from .plan import Plan
 from .vehicles import saved_share
 
 __all__ = ["paid", "saved", "saved_part"]
-
-CENTS = 100
 
 
 def paid(plan: Plan, vehicles: Iterable[int] | None = None) -> tuple[float, float]:

@@ -324,7 +324,7 @@ class Driving:
         """
         member, master = self.planned(slowest_s)
         own = self.own_s
-        slow = own if slowest_s is None else np.maximum(own, slowest_s)
+        paces = [own] if slowest_s is None else [own, np.maximum(own, slowest_s)]
         ratio = 1.0
         for size in (one for one in self.costs.told_sizes if one <= vehicles):
             saved = [self._air_saved(place, size) for place in range(size)]
@@ -333,11 +333,9 @@ class Driving:
                 (saved[0], False, master),
             ):
                 # The least of each term by itself, at whichever pace: no pace costs less.
-                fuel, driver, toll, co2 = np.minimum(
-                    self.amounts(None, own, most, following),
-                    self.amounts(None, slow, most, following),
+                real = _summed(
+                    np.minimum.reduce([self.amounts(None, pace, most, following) for pace in paces])
                 )
-                real = fuel + driver + toll + co2
                 paid = plan > 0
                 ratio = min(ratio, float((real[paid] / plan[paid]).min(initial=1.0)))
         return 1.0 if ratio > 1 - NO_LESS else ratio

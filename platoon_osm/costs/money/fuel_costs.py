@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any, ClassVar
 
 from ...network.road_network import RoadNetwork
@@ -45,8 +45,11 @@ class FuelCosts:
     @property
     def params(self) -> Mapping[str, Any]:
         """All parameters by name, with the preset's name first."""
-        physics = {item.name: getattr(self.consumption, item.name) for item in fields(Consumption)}
-        return {"preset": self.name, "positions": fuel_saving(self.positions).name, **physics}
+        return {
+            "preset": self.name,
+            "positions": fuel_saving(self.positions).name,
+            **asdict(self.consumption),
+        }
 
     def weights(self, net: RoadNetwork, vehicle: Any = None) -> EdgeWeights:
         """Return the fuel of each edge, alone and in a platoon.

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any
 
 from ...errors import ScenarioError, brief
@@ -173,8 +173,12 @@ class MoneyCosts:
     def params(self) -> Mapping[str, Any]:
         """All figures by name, with the preset's name first."""
         own = {name: getattr(self, name) for name in PRICES}
-        physics = {item.name: getattr(self.consumption, item.name) for item in fields(Consumption)}
-        return {"preset": self.preset, **own, "positions": self.saving.name, **physics}
+        return {
+            "preset": self.preset,
+            **own,
+            "positions": self.saving.name,
+            **asdict(self.consumption),
+        }
 
     def figures(self) -> tuple[CostFigure, ...]:
         """Return every figure with its unit and source.

@@ -5,7 +5,8 @@ before waiting and delay are paid; if nobody pays any, nothing is cheaper with t
 is proved without prices holds. Else it is asked again several times, each time with a limit of how
 much later than alone vehicles may arrive, and everybody alone counts too; each plan is written with
 its times, and the one is taken that costs least with what its waiting and delay cost. That is the
-best of those, and no search of all: the proof is a bound for any company.
+best of those, and no search of all. What was planned without prices costs no more before time is
+paid, so its bound holds for all of them.
 
 A vehicle waits as much longer as it stands on its way than on its legal trip alone. Its delay is
 how much later it arrives than alone.

@@ -9,18 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from ...costs.share import Share
-from ...network.placed import PlacedNetwork
 from ...network.road_network import RoadNetwork
 from ...plans.records import Stretch
+from ..driven_pieces import DrivenPieces
 from ..fleet import Fleet
 
 __all__ = ["in_order"]
-
-Index = NDArray[np.int64]
 
 
 def in_order(net: RoadNetwork, fleet: Fleet, stretch: Stretch, order: Sequence[int]) -> Stretch:
@@ -78,7 +73,7 @@ def _weighed(
 ) -> Share:
     """Return what a vehicle pays for a stretch in some order, by its weights."""
     place = list(order).index(vehicle)
-    ids, parts = _edges_of(net, stretch)
+    ids, parts = net.attached(DrivenPieces).of(stretch)
     lengths = net.length_m[ids]
     found = fleet.share(order, place, ids, float(lengths.sum()))
     # All edges are whole but the first and the last.
@@ -91,24 +86,3 @@ def _weighed(
             terms=tuple(one - less for one, less in zip(found.terms, left.terms, strict=True)),
         )
     return found
-
-
-def _edges_of(net: RoadNetwork, stretch: Stretch) -> tuple[Index, NDArray[np.float64]]:
-    """Return the edges of the network with places along a stretch, and how much of each."""
-    edges = np.asarray(stretch.edges, np.int64)
-    begin, end = np.zeros(len(edges)), np.ones(len(edges))
-    begin[0], end[-1] = stretch.span
-    if not isinstance(net, PlacedNetwork) or net.below is None:
-        return edges, end - begin
-    found: dict[int, list[int]] = {}
-    some = np.flatnonzero(np.isin(net.below_edge, edges))
-    for k in some[np.argsort(net.begins[some], kind="stable")].tolist():
-        found.setdefault(int(net.below_edge[k]), []).append(k)
-    pieces: list[tuple[int, float]] = []
-    for edge, first, last in zip(edges.tolist(), begin.tolist(), end.tolist(), strict=True):
-        for k in found[edge]:
-            low, high = float(net.begins[k]), float(net.ends[k])
-            driven = min(high, last) - max(low, first)
-            if driven > 0:
-                pieces.append((k, driven / (high - low)))
-    return np.array([k for k, _ in pieces], np.int64), np.array([part for _, part in pieces])

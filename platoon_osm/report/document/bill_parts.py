@@ -110,7 +110,7 @@ def gain_of(plan: Plan) -> GainSharing | None:
         None where it is not shared, or there is none.
     """
     gain = plan.gain
-    if gain is None or not any(one.saved_cents or one.share_cents for one in gain.vehicles):
+    if gain is None or not gain.is_told:
         return None
     return replace(
         gain,

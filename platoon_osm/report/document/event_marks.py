@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import takewhile
 
+from ...plans.bill import CENTS
 from ...plans.chances import MeetingChance
 from ...plans.clock import MENTIONED_S, duration
 from ...plans.records import Event
@@ -18,7 +19,6 @@ from .wording import MOST_NAMED, joined
 
 __all__ = ["event_mark", "likely", "told_events"]
 
-CENTS = 100
 ROUNDED = 0.03
 """Amounts that differ by less differ by the rounding of their terms."""
 

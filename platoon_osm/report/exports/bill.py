@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from ...csv_tables import write_table
 from ...errors import ScenarioError
+from ...plans.bill import CENTS
 from ...plans.money_frames import bill_rows, physical_rows
 from ...plans.plan import Plan
 from ..document.checks import check_is_plan, check_path
@@ -48,6 +49,6 @@ def write_bill(plan: Plan, path: str | os.PathLike[str]) -> None:
 
 def _rows(plan: Plan, currency: str) -> Iterator[tuple[object, ...]]:
     for vehicle, term, alone, joint in bill_rows(plan):
-        yield vehicle, term, currency, alone / 100, joint / 100, (alone - joint) / 100
+        yield vehicle, term, currency, alone / CENTS, joint / CENTS, (alone - joint) / CENTS
     for vehicle, what, unit, before, after in physical_rows(plan):
         yield vehicle, what, unit, *(round(one, 3) for one in (before, after, before - after))
