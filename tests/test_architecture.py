@@ -17,8 +17,8 @@ WALLS = {
     "": (
         "errors", "kinds", "registry", "interrupts", "leftovers", "shown_text", "output_paths",
         "atomic_file", "csv_tables", "offers", "network", "vehicles", "sources", "search",
-        "costs", "sharing", "chance", "driving", "plans", "planning", "inspection", "report",
-        "study", "cli",
+        "costs", "sharing", "chance", "driving", "plans", "planning", "fleets", "inspection",
+        "report", "study", "cli",
     ),
     "network": ("towns", "preparing", "saved"),
     "sources": ("country", "speeds", "stops", "graphs", "osm", "overpass", "gis", "overture"),
@@ -28,6 +28,8 @@ WALLS = {
     "driving": ("bans",),
     "planning": ("timing", "company", "rotation", "legal", "scenario"),
     "planning/legal": ("driver", "platoon"),
+    "fleets": ("bound", "plan", "dutch", "day"),
+    "inspection": ("certificate",),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",
         "sheets",

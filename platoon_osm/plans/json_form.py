@@ -1,8 +1,9 @@
 """A plan as plain JSON types, and back; docs/plan.schema.json describes the form.
 
-Version 7 is the record itself. Version 6 knew no bill, no shares of the gain, no chances and no
-rotation of the lead, version 5 no pauses and no drivers, version 4 did not tell what vehicles are
-like, version 3 knew no places between junctions or beside the road; all are read as they stand.
+Version 8 is the record itself. Version 7 knew no fleets, version 6 no bill, no shares of the gain,
+no chances and no rotation of the lead, version 5 no pauses and no drivers, version 4 did not tell
+what vehicles are like, version 3 knew no places between junctions or beside the road; all are read
+as they stand.
 Versions 1 and 2 held each vehicle's legs, and version 1 no times; both are read by
 `older_versions`.
 """
@@ -17,6 +18,7 @@ from ..errors import ScenarioError, brief
 from ..vehicles.profile import Vehicle
 from .bill import Bill
 from .chances import Chances
+from .fleet import FleetRecord
 from .gain import GainSharing
 from .older_versions import OLDER_VERSIONS, fields_of_older
 from .proof import Proof
@@ -39,9 +41,9 @@ from .timetable import Timetable
 
 __all__ = ["PLAN_VERSION", "plan_from_dict"]
 
-PLAN_VERSION = 7
+PLAN_VERSION = 8
 
-RECORDS = (3, 4, 5, 6, PLAN_VERSION)
+RECORDS = (3, 4, 5, 6, 7, PLAN_VERSION)
 """Versions that are the record itself; what a later one added has a default."""
 
 Made = TypeVar("Made")
@@ -88,6 +90,7 @@ def plan_from_dict(make: Callable[..., Made], data: Mapping[str, Any]) -> Made:
                 "gain": _part(GainSharing.from_dict, own.get("gain")),
                 "chances": _part(Chances.from_dict, own.get("chances")),
                 "rotation": _part(Rotation.from_dict, own.get("rotation")),
+                "fleet": _part(FleetRecord.from_dict, own.get("fleet")),
             }
         )
     except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:

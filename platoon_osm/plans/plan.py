@@ -17,6 +17,7 @@ from ..shown_text import well_formed
 from .bill import Bill
 from .chances import Chances
 from .checker import check_parts
+from .fleet import FleetRecord
 from .gain import GainSharing
 from .json_form import PLAN_VERSION, plan_from_dict
 from .money_checks import check_money
@@ -94,6 +95,9 @@ class Plan:
     rotation : Rotation or None
         Where the lead is handed on; None where the leaders stay in front, and where it makes no
         sense.
+    fleet : FleetRecord or None
+        What is known of the plan of a whole fleet: its saving, the bound on it, and who could not
+        be planned. None for a plan that was not made by `plan_fleet`.
 
     Raises
     ------
@@ -124,6 +128,7 @@ class Plan:
     gain: GainSharing | None = None
     chances: Chances | None = None
     rotation: Rotation | None = None
+    fleet: FleetRecord | None = None
     plan_version: int = field(default=PLAN_VERSION, init=False)
 
     def __post_init__(self) -> None:

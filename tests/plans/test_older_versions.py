@@ -42,7 +42,7 @@ def net():
 @pytest.mark.parametrize(("version", "name"), FILES)
 def test_every_number_and_word_is_there(version, name):
     data, plan = old(version, name), Plan.from_dict(old(version, name))
-    assert plan.plan_version == 7
+    assert plan.plan_version == 8
     for key in ("case", "asked", "objective", "method", "unit", "params", "version"):
         assert getattr(plan, key) == data[key]
     assert list(plan.remarks) == data["remarks"]
@@ -78,7 +78,7 @@ def test_version_3_says_all_but_places_between_junctions(name):
     data = old(3, name)
     plan = Plan.from_dict(data)
     now = json.loads(json.dumps(plan.to_dict()))
-    assert now.pop("plan_version") == 7
+    assert now.pop("plan_version") == 8
     assert data.pop("plan_version") == 3
     assert now.pop("closed") == []
     for share in (share for stretch in now["stretches"] for share in stretch["shares"]):

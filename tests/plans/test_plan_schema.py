@@ -18,6 +18,7 @@ from platoon_osm.planning.joint import plan_joint
 from platoon_osm.plans import records
 from platoon_osm.plans.bill import Bill, VehicleBill
 from platoon_osm.plans.chances import Chances, MeetingChance
+from platoon_osm.plans.fleet import FleetRecord, Moment, Unserved
 from platoon_osm.plans.gain import GainShare, GainSharing
 from platoon_osm.plans.pauses import DriverDay, Pause, PausePlace
 from platoon_osm.plans.plan import Plan
@@ -39,7 +40,7 @@ RECORDS = {
     "bill": Bill, "cost_figure": CostFigure, "vehicle_bill": VehicleBill,
     "gain_sharing": GainSharing, "gain_share": GainShare,
     "chances": Chances, "meeting_chance": MeetingChance, "rotation": Rotation,
-    "lead_change": LeadChange,
+    "lead_change": LeadChange, "fleet": FleetRecord, "moment": Moment, "unserved": Unserved,
 }  # fmt: skip
 
 
