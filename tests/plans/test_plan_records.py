@@ -59,9 +59,9 @@ def test_names_with_accents_survive(tmp_path):
     assert "Žiga ü" in (tmp_path / "plan.json").read_bytes().decode("utf-8")
 
 
-@pytest.mark.parametrize("version", [0, 8, None, "1", True, [1]])
+@pytest.mark.parametrize("version", [0, 9, None, "1", True, [1]])
 def test_another_version_is_refused(plan, version):
-    with pytest.raises(ScenarioError, match=r"this version reads up to 7; plan again$"):
+    with pytest.raises(ScenarioError, match=r"this version reads up to 8; plan again$"):
         JointPlan.from_dict({**plan.to_dict(), "plan_version": version})
 
 
