@@ -50,6 +50,25 @@ class ByPlace(Protocol):
         """
         ...
 
+    def in_place(self, position: int, size: int, drive_s: Floats | None) -> Floats:
+        """Return what the vehicle pays on each edge in a place of a company.
+
+        Parameters
+        ----------
+        position : int
+            Place of the vehicle in the company; 0 leads.
+        size : int
+            Vehicles in the company.
+        drive_s : ndarray of float, (m,), or None
+            How long the company drives each edge [s]; None for the vehicle's own pace.
+
+        Returns
+        -------
+        ndarray of float, (m,)
+            All terms together.
+        """
+        ...
+
     def planned(self, slowest_s: Floats | None) -> tuple[Floats, Floats]:
         """Return the most a member and a master may pay on each edge, whoever drives with them.
 

@@ -281,6 +281,26 @@ class Driving:
             alone_terms=alone_terms,
         )
 
+    def in_place(self, position: int, size: int, drive_s: Floats | None) -> Floats:
+        """Return what the vehicle pays on each edge in a place of a company; see `ByPlace`.
+
+        Parameters
+        ----------
+        position : int
+            Place of the vehicle in the company; 0 leads.
+        size : int
+            Vehicles in the company.
+        drive_s : ndarray of float, (m,), or None
+            How long the company drives each edge [s]; None for the vehicle's own pace.
+
+        Returns
+        -------
+        ndarray of float, (m,)
+            All terms together.
+        """
+        saved = self._air_saved(position, size)
+        return _summed(self.amounts(None, drive_s, saved, following=position > 0))
+
     def planned(self, slowest_s: Floats | None) -> tuple[Floats, Floats]:
         """Return the most a member and a master may pay on each edge; see `ByPlace`.
 

@@ -1,0 +1,199 @@
+"""From a problem to whole numbers: the lanes, windows and routes of all trips that can be planned.
+
+A trip that cannot be planned is listed with the reason, and the others are planned: one without
+any time, or that is late even alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..costs.time_prices import TimePrices
+from ..errors import ScenarioError
+from ..planning.asked import Asked
+from ..planning.ends import TripEnds
+from ..planning.problem import Problem
+from ..planning.question import Question
+from ..planning.timing.limits import Window, first_named
+from ..plans.clock import late_by
+from ..plans.fleet import Unserved
+from ..plans.timetable import LATE_S
+from .instance import Instance
+from .lanes import TICK_S, Lanes, grains_per_unit, lanes_of
+from .limits import Limits
+from .windows import Wanted, paired
+
+__all__ = ["FleetModel", "modelled"]
+
+Ints = NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FleetModel:
+    """A problem in whole numbers, beside what it was made from.
+
+    Attributes
+    ----------
+    question : Question
+        The problem of the trips that can be planned, with their routes alone.
+    first : datetime
+        What ticks count from.
+    windows : tuple of Window, (N,)
+        What each trip asked for [s].
+    lanes : Lanes
+        The roads.
+    instance : Instance
+        The problem in whole numbers.
+    rounds : int
+        Rounds of dropping pairs that were done.
+    routes : tuple of ndarray of int64, (N, ...)
+        Lanes of each truck's route alone.
+    unserved : tuple of Unserved
+        Trips that cannot be planned.
+    """
+
+    question: Question
+    first: datetime
+    windows: tuple[Window, ...]
+    lanes: Lanes
+    instance: Instance
+    rounds: int
+    routes: tuple[Ints, ...]
+    unserved: tuple[Unserved, ...]
+
+
+def modelled(problem: Problem, limits: Limits) -> FleetModel:
+    """Return a problem in whole numbers.
+
+    Parameters
+    ----------
+    problem : Problem
+        What is asked.
+    limits : Limits
+        Who may drive with whom, and on which routes.
+
+    Returns
+    -------
+    FleetModel
+        Of all trips that can be planned.
+
+    Raises
+    ------
+    PlatoonError
+        A question that fleets are not planned for, in one line; or no trip that can be planned.
+    """
+    prices = _checked(problem)
+    limits.check_names(trip.vehicle for trip in problem.trips)
+    timed, unserved = _with_times(problem)
+    question, late = _in_time(timed)
+    unserved += late
+    windows, asked = question.windows, question.asked_windows
+    first = first_named(question.problem.trips)
+    assert windows is not None
+    assert first is not None
+    fleet, ends = question.fleet, question.ends
+    grains = grains_per_unit(float(question.solo.sum()))
+    largest = problem.max_platoon or 0
+    alike: dict[tuple[int, str], int] = {}
+    kinds = [
+        alike.setdefault((kind, limits.carriers.get(end.vehicle, "")), len(alike))
+        for kind, end in zip(fleet.kind, ends, strict=True)
+    ]
+    places = [node for end in ends for node in (end.origin, end.destination)]
+    lanes = lanes_of(question.net, fleet, kinds, places, largest, grains)
+    routes = lanes.of_routes(question.alone)
+    instance, rounds = paired(
+        lanes, _wanted(lanes, ends, windows, routes), given=limits.routes == "given",
+        largest=largest, waiting=round(prices.waiting * TICK_S * grains),
+    )  # fmt: skip
+    return FleetModel(
+        question, first, tuple(asked), lanes, instance, rounds, tuple(routes), tuple(unserved)
+    )
+
+
+def _checked(problem: Problem) -> TimePrices:
+    """Return the prices of time of a problem that fleets can be planned for."""
+    prices = TimePrices.of(problem.objective)
+    for refused, what in (
+        (problem.method != "dijkstra", "the paper's A*; use method dijkstra"),
+        (problem.limits_driving, "driving rules yet; plan trips with rules none"),
+        (problem.delays is not None or problem.robust, "delays; leave them out"),
+        (problem.lead != "master", "a rotated lead; use lead master"),
+        (problem.company != "anywhere", "company of the master alone; use company anywhere"),
+        (prices.delay > 0, "prices of delay; use an objective without"),
+        (not prices.are_even, "a price of waiting that is not even; give one by the hour"),
+    ):
+        if refused:
+            raise ScenarioError(f"fleet: fleets are not planned with {what}")
+    return prices
+
+
+def _with_times(problem: Problem) -> tuple[Problem, list[Unserved]]:
+    """Return the problem of the trips that name a time, and the others."""
+    timed = tuple(trip for trip in problem.trips if trip.times)
+    unserved = [
+        Unserved(trip.vehicle, "names no time; give it an earliest_departure")
+        for trip in problem.trips
+        if not trip.times
+    ]
+    if not timed:
+        raise ScenarioError("fleet: no trip names a time; give each an earliest_departure")
+    # A case or a master is a rule for one platoon; a fleet has none.
+    return replace(problem, trips=timed, case="best", master=None), unserved
+
+
+def _in_time(problem: Problem) -> tuple[Question, list[Unserved]]:
+    """Return the question of the trips that can be in time alone, and the others."""
+    question = Asked.of(problem).question
+    late = [
+        late_by(own.earliest + alone_s - own.arrival)
+        if own.earliest is not None
+        and own.arrival is not None
+        and own.earliest + alone_s > own.arrival + LATE_S
+        else ""
+        for own, alone_s in zip(question.asked_windows, question.alone_s, strict=True)
+    ]
+    unserved = [
+        Unserved(trip.vehicle, f"late even alone by {by}; give an earlier departure or a later "
+                 "arrival")
+        for trip, by in zip(problem.trips, late, strict=True)
+        if by
+    ]  # fmt: skip
+    if not unserved:
+        return question, []
+    stay = tuple(trip for trip, by in zip(problem.trips, late, strict=True) if not by)
+    if not stay:
+        raise ScenarioError(
+            f"fleet: no trip can be in time; {unserved[0].vehicle!r} is {unserved[0].reason}"
+        )
+    return Asked.of(replace(problem, trips=stay)).question, unserved
+
+
+def _wanted(
+    lanes: Lanes, ends: Sequence[TripEnds], windows: Sequence[Window], routes: Sequence[Ints]
+) -> Wanted:
+    """Return what trucks ask for in ticks."""
+    origin, destination = (
+        np.searchsorted(lanes.nodes, [getattr(end, name) for end in ends])
+        for name in ("origin", "destination")
+    )
+    drive = np.array([int(lanes.drive[route].sum()) for route in routes], np.int64)
+    arrival = np.array([window.arrival for window in windows], np.float64)
+    earliest = np.array(
+        [np.nan if window.earliest is None else window.earliest for window in windows]
+    )
+    departure = np.array([np.inf if window.latest is None else window.latest for window in windows])
+    latest = np.floor(arrival / TICK_S + 1e-6)
+    # Lanes are rounded up to ticks, and nobody is late for that.
+    first = np.where(np.isnan(earliest), latest - drive, np.ceil(earliest / TICK_S - 1e-6))
+    last = np.maximum(latest, first + drive)
+    leaves = np.clip(np.floor(departure / TICK_S + 1e-6), first, last)
+    return Wanted(
+        origin=origin, destination=destination, earliest=first.astype(np.int64),
+        latest_departure=leaves.astype(np.int64), latest=last.astype(np.int64), alone=routes,
+    )  # fmt: skip
