@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         PlatoonError,
         ScenarioError,
     )
+    from .fleets.day.draw import draw_trips
     from .inspection.verdict import inspect_plan
     from .network.access import Access
     from .network.location import Location, Place
@@ -80,6 +81,7 @@ _WHERE = {
     "NoRouteError": "errors",
     "PlatoonError": "errors",
     "ScenarioError": "errors",
+    "draw_trips": "fleets.day.draw",
     "inspect_plan": "inspection.verdict",
     "Access": "network.access",
     "Location": "network.location",
@@ -175,6 +177,7 @@ __all__ = [
     "break_even",
     "delay_frontier",
     "departure_curve",
+    "draw_trips",
     "explore",
     "inspect_plan",
     "load_network",

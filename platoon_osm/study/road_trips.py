@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import MapDataError, ScenarioError, brief
+from ..fleets.day.flow_files import SEGMENTS, positions_in, volumes_in
 from ..kinds import is_whole
 from ..network.antimeridian import near_deg
 from ..network.geodesy import distance_m, east_north_m
@@ -213,34 +213,21 @@ def read_flows(path: Path, net: RoadNetwork) -> Flows:
     MapDataError
         A file is missing or has other columns, or no flow has both ends on the network.
     """
-    volume_rows = _rows(path, ("origin", "destination", "volume"))
+    volumes = volumes_in(path)
     inside = np.flatnonzero(net.strong_component() == 0)
     places: dict[str, int | None] = {}
-    segments = path.with_name("segments.csv")
-    for line, row in _rows(segments, ("source", "position_x", "position_y")):
-        if row["source"] not in places:
-            lon, lat = (_number(segments, line, row[c]) for c in ("position_x", "position_y"))
-            if not (abs(lon) <= 180 and abs(lat) <= 90):
-                raise MapDataError(
-                    f"{segments.name}: line {line}: {lon:g}, {lat:g} is no longitude and latitude; "
-                    "give degrees"
-                )
-            away = distance_m(net.lon[inside], net.lat[inside], lon, lat)
-            nearest = int(away.argmin())
-            known = away[nearest] <= FARTHEST_PLACE_M
-            places[row["source"]] = int(inside[nearest]) if known else None
+    for key, (lon, lat) in positions_in(path.with_name(SEGMENTS)).items():
+        away = distance_m(net.lon[inside], net.lat[inside], lon, lat)
+        nearest = int(away.argmin())
+        known = away[nearest] <= FARTHEST_PLACE_M
+        places[key] = int(inside[nearest]) if known else None
     left_out = 0.0
-    ends, volumes = [], []
-    for line, row in volume_rows:
-        volume = _number(path, line, row["volume"])
-        if volume < 0:
-            raise MapDataError(
-                f"{path.name}: line {line}: volume {volume:g} is below 0; correct it"
-            )
-        pair = places.get(row["origin"]), places.get(row["destination"])
+    ends, kept = [], []
+    for origin, destination, volume in volumes:
+        pair = places.get(origin), places.get(destination)
         if None not in pair and pair[0] != pair[1] and volume > 0:
             ends.append(pair)
-            volumes.append(volume)
+            kept.append(volume)
         else:
             left_out += volume
     if not ends:
@@ -249,43 +236,4 @@ def read_flows(path: Path, net: RoadNetwork) -> Flows:
             f"{net.source.name}; give flows of its region"
         )
     places_of = np.array(ends, np.int64)
-    return Flows(places_of[:, 0], places_of[:, 1], np.array(volumes), path.name, left_out)
-
-
-def _rows(path: Path, columns: tuple[str, ...]) -> list[tuple[int, dict[str, str]]]:
-    if not path.is_file():
-        raise MapDataError(
-            f"{path}: no such file; flows need two: volumes, and segments.csv beside it"
-        )
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as handle:
-            reader = csv.DictReader(handle)
-            missing = set(columns) - set(reader.fieldnames or ())
-            if missing:
-                raise MapDataError(
-                    f"{path}: no column {sorted(missing)[0]!r}; begin the file with "
-                    f"{','.join(columns)}"
-                )
-            rows = []
-            for row in reader:
-                if None in row or None in row.values():
-                    raise MapDataError(
-                        f"{path}: line {reader.line_num} has another number of fields than the "
-                        "first; the file may be cut short: fetch it again"
-                    )
-                rows.append((reader.line_num, row))
-            return rows
-    except OSError as error:
-        raise MapDataError(f"{path}: cannot be read ({error.strerror}); check its rights") from None
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise MapDataError(f"{path}: not a CSV text file ({error}); save it as UTF-8") from None
-
-
-def _number(path: Path, line: int, text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise MapDataError(f"{path.name}: line {line}: {text!r:.40} is no number; correct it")
-    return value
+    return Flows(places_of[:, 0], places_of[:, 1], np.array(kept), path.name, left_out)

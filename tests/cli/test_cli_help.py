@@ -16,7 +16,7 @@ from platoon_osm.sources.readers import READERS
 def test_the_verbs_there_are():
     assert set(VERBS) == {
         "demo", "maps", "prepare", "download", "scenario", "plan", "check", "study", "compare",
-        "what-if", "warmup",
+        "what-if", "trips", "warmup",
     }  # fmt: skip
 
 

@@ -8,6 +8,6 @@ __all__ = ["VERBS"]
 
 VERBS = (
     "demo", "maps", "prepare", "download", "scenario", "plan", "check", "compare", "what-if",
-    "study", "warmup",
+    "trips", "study", "warmup",
 )  # fmt: skip
 """In the order in which the help lists them."""

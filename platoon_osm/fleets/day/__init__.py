@@ -1,0 +1,1 @@
+"""A day of trips, drawn from truck flows or from the towns of a network."""
