@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import PlatoonError
 from ..network.road_network import RoadNetwork
 from ..search.searches import Searches
 from ..search.trees import Trees
-from .ends import Ends, located, resolve_trips
+from .ends import Ends, located, refused_trips, resolve_trips
 from .fleet import Fleet
 from .fleet_of import fleet_of
 from .places import PlacedEnds, placed
@@ -60,10 +61,30 @@ class Asked:
         PlatoonError
             A place that is not on the network, or a trip without any route.
         """
-        locations = located(problem.net, problem.trips, problem.access, problem.profile)
-        places = placed(problem.net, locations, problem.access)
-        shut = closed_roads(problem.net, problem.close)
-        fleet = fleet_of(problem, places, shut)
+        return cls.at(problem, located(problem.net, problem.trips, problem.access, problem.profile))
+
+    @classmethod
+    def at(cls, problem: Problem, locations: Sequence[Ends]) -> Asked:
+        """Return a problem whose places are found already.
+
+        Parameters
+        ----------
+        problem : Problem
+            What is asked.
+        locations : sequence of tuple of Location, (N, 2)
+            As `located` finds them.
+
+        Returns
+        -------
+        Asked
+            Ready to be answered.
+
+        Raises
+        ------
+        PlatoonError
+            A trip without any route, or that ends where it starts.
+        """
+        places, shut, fleet = _on_network(problem, locations)
         problem = replace(problem, net=places.net)
         trees = _trees(problem, fleet, places)
         ends = resolve_trips(places.net, fleet, trees, problem.trips, places.ends)
@@ -72,10 +93,40 @@ class Asked:
             question = by_quick_routes(question)
         return cls(question, locations, shut)
 
+    @staticmethod
+    def refused(problem: Problem, locations: Sequence[Ends]) -> dict[int, PlatoonError]:
+        """Return which trips `at` refuses, and why.
+
+        Parameters
+        ----------
+        problem : Problem
+            What is asked.
+        locations : sequence of tuple of Location, (N, 2)
+            As `located` finds them.
+
+        Returns
+        -------
+        dict
+            By position of the trip.
+        """
+        places, _, fleet = _on_network(problem, locations)
+        problem = replace(problem, net=places.net)
+        trees = _trees(problem, fleet, places)
+        return refused_trips(places.net, fleet, trees, problem.trips, places.ends)
+
     @property
     def net(self) -> RoadNetwork:
         """The network with the places."""
         return self.question.net
+
+
+def _on_network(
+    problem: Problem, locations: Sequence[Ends]
+) -> tuple[PlacedEnds, NDArray[np.bool_], Fleet]:
+    """Return the places on the network, which roads count as closed, and the vehicles."""
+    places = placed(problem.net, locations, problem.access)
+    shut = closed_roads(problem.net, problem.close)
+    return places, shut, fleet_of(problem, places, shut)
 
 
 def _trees(problem: Problem, fleet: Fleet, places: PlacedEnds) -> list[Trees]:

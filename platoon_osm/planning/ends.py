@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from ..errors import NoRouteError, PlatoonError, ScenarioError
 from ..network.access import STANDARD_ACCESS, Access
 from ..network.locate import locate
-from ..network.location import Location, Place
+from ..network.location import Location, Place, PlaceLike, Role
 from ..network.road_network import RoadNetwork
-from ..network.usable_nodes import UsableNodes
 from ..plans.trip import Trip
 from ..search.changing_weights import ChangingWeights
 from ..search.trees import Trees
@@ -23,7 +21,7 @@ from ..vehicles.usable import VehicleNodes
 from .fleet import Fleet
 from .places import PlacedEnd, placed
 
-__all__ = ["TripEnds", "located", "resolve_trips"]
+__all__ = ["PlaceSearch", "TripEnds", "located", "refused_trips", "resolve_trips"]
 
 ACCESS_DETOUR = STANDARD_ACCESS.detour
 """Way to a node against the straight distance, where only the latter is known."""
@@ -85,21 +83,74 @@ def located(
     PlatoonError
         A place that is not there, with trip and end; or a trip that ends where it starts.
     """
-    nodes = net.attached(VehicleNodes)
-    found = []
-    for trip in trips:
-        usable = nodes.of(net, trip.profile or profile or DEFAULT_VEHICLE)
-        origin, destination = (
-            _located(net, trip, end, access, usable) for end in ("origin", "destination")
+    search = PlaceSearch(net, access, profile)
+    return [search.of(trip) for trip in trips]
+
+
+class PlaceSearch:
+    """Finds the places of trips; of many trips between few places each place is found once.
+
+    Parameters
+    ----------
+    net : RoadNetwork
+        The network.
+    access : Access
+        What counts as on the road, and how far beside it a place may be.
+    profile : Vehicle, optional
+        The vehicle of trips that name none.
+    """
+
+    def __init__(
+        self, net: RoadNetwork, access: Access = STANDARD_ACCESS, profile: Vehicle | None = None
+    ) -> None:
+        self._net, self._access, self._profile = net, access, profile or DEFAULT_VEHICLE
+        self._nodes = net.attached(VehicleNodes)
+        self._known: dict[tuple[type, PlaceLike, Role, Vehicle], Location | PlatoonError] = {}
+
+    def of(self, trip: Trip) -> Ends:
+        """Find the places of a trip.
+
+        Parameters
+        ----------
+        trip : Trip
+            Who goes where.
+
+        Returns
+        -------
+        tuple of Location
+            Origin and destination.
+
+        Raises
+        ------
+        PlatoonError
+            A place that is not there, with trip and end.
+        """
+        vehicle = trip.profile or self._profile
+        return (
+            self._at(trip, trip.origin, "origin", vehicle),
+            self._at(trip, trip.destination, "destination", vehicle),
         )
-        found.append((origin, destination))
-    return found
+
+    def _at(self, trip: Trip, asked: PlaceLike, end: Role, vehicle: Vehicle) -> Location:
+        _check_on(self._net, trip, asked, end)
+        # With its type, for 1.0 would be found as 1.
+        key = type(asked), asked, end, vehicle
+        if key not in self._known:
+            usable = self._nodes.of(self._net, vehicle)
+            try:
+                found = locate(self._net, asked, end, access=self._access, usable=usable)
+            except PlatoonError as error:
+                self._known[key] = error
+            else:
+                self._known[key] = found
+        known = self._known[key]
+        if isinstance(known, PlatoonError):
+            raise type(known)(f"trip {trip.vehicle!r}, {end}: {known}") from known
+        return known
 
 
-def _located(
-    net: RoadNetwork, trip: Trip, end: Any, access: Access, usable: UsableNodes
-) -> Location:
-    asked = trip.origin if end == "origin" else trip.destination
+def _check_on(net: RoadNetwork, trip: Trip, asked: PlaceLike, end: Role) -> None:
+    """Refuse a location of another network."""
     place = asked.at if isinstance(asked, Place) else asked
     if isinstance(place, Location):
         for node, _ in place.candidates:
@@ -108,10 +159,6 @@ def _located(
                     f"trip {trip.vehicle!r}, {end}: {place.name} is at node {node}, the network "
                     f"has nodes 0 to {net.n - 1}; locate it on this network"
                 )
-    try:
-        return locate(net, asked, end, access=access, usable=usable)
-    except PlatoonError as error:
-        raise type(error)(f"trip {trip.vehicle!r}, {end}: {error}") from error
 
 
 def resolve_trips(
@@ -149,11 +196,6 @@ def resolve_trips(
     NoRouteError
         A trip without any route.
     """
-    length = float(net.length_m.sum())
-    per_metre = [
-        ACCESS_DETOUR * float(fleet[k].solo.sum()) / length if length else 0.0
-        for k in range(len(fleet))
-    ]
     if places is None:
         found = placed(net, located(net, trips))
         if found.net is not net:
@@ -162,10 +204,52 @@ def resolve_trips(
                 "`placed` first"
             )
         places = found.ends
+    per_metre = _per_metre(net, fleet)
     return [
         _resolve(net, fleet, index, *found)
         for index, found in enumerate(zip(trees, trips, places, per_metre, strict=True))
     ]
+
+
+def refused_trips(
+    net: RoadNetwork,
+    fleet: Fleet,
+    trees: Sequence[Trees],
+    trips: Sequence[Trip],
+    places: Sequence[tuple[PlacedEnd, PlacedEnd]],
+) -> dict[int, PlatoonError]:
+    """Return which trips `resolve_trips` would refuse, and why.
+
+    Parameters
+    ----------
+    net, fleet, trees, trips, places : see `resolve_trips`
+        The same.
+
+    Returns
+    -------
+    dict
+        By position.
+    """
+    refused: dict[int, PlatoonError] = {}
+    per_metre = _per_metre(net, fleet)
+    for index, found in enumerate(zip(trees, trips, places, per_metre, strict=True)):
+        try:
+            _resolve(net, fleet, index, *found)
+        except PlatoonError as error:
+            refused[index] = error
+    return refused
+
+
+def _per_metre(net: RoadNetwork, fleet: Fleet) -> list[float]:
+    """Return what a metre beside the road counts to each vehicle in the choice of nodes."""
+    length = float(net.length_m.sum())
+    if not length:
+        return [0.0] * len(fleet)
+    by_kind = {
+        kind: ACCESS_DETOUR * float(fleet[kind_[0]].solo.sum()) / length
+        for kind, kind_ in enumerate(fleet.kinds)
+    }
+    return [by_kind[kind] for kind in fleet.kind]
 
 
 def _resolve(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
@@ -163,9 +164,10 @@ class Problem:
             raise ScenarioError(
                 f"patience_min is {brief(self.patience_min)}; give minutes, 0 or more"
             )
-        for name in names:
-            if (times := names.count(name)) > 1:
-                raise ScenarioError(f"vehicle {brief(name)} has {times} trips; names must differ")
+        if twice := next((name for name, times in Counter(names).items() if times > 1), None):
+            raise ScenarioError(
+                f"vehicle {brief(twice)} has {names.count(twice)} trips; names must differ"
+            )
         if self.case == "D" and len(self.trips) != 2:
             raise ScenarioError(
                 f"case 'D' plans two vehicles, not {len(self.trips)}; use C for one master and "

@@ -14,7 +14,7 @@ from ...errors import ScenarioError
 from ...plans.trip import TIMES
 from .cell_values import number_in, text_in, whole_in
 from .driver_cells import DRIVER_COLUMNS, driver_of
-from .keys import DRIVER, FLEXIBILITY, PLACES, PROFILE, SPREAD
+from .keys import CARRIER, DRIVER, FLEXIBILITY, PLACES, PROFILE, SPREAD
 
 __all__ = ["COLUMNS", "MAIN_COLUMNS", "PARTS", "column_named", "is_blank", "row_of"]
 
@@ -26,7 +26,7 @@ MAIN_COLUMNS = (
     *(f"{end}_{part}" for end in PLACES for part in PARTS), "drivers",
 )  # fmt: skip
 """Those that messages list."""
-COLUMNS = (*dict.fromkeys((*MAIN_COLUMNS, *DRIVER_COLUMNS)),)
+COLUMNS = (*dict.fromkeys((*MAIN_COLUMNS, *DRIVER_COLUMNS, CARRIER)),)
 """Columns there are; vehicle and both places must be given."""
 
 UNITS = {"m": "metres", "t": "tonnes", "kmh": "kilometres an hour"}

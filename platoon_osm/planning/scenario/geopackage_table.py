@@ -121,11 +121,19 @@ def _places(file: Path, layer: str, table: Any) -> dict[str, list[Any]]:
             "save it in that"
         ) from error
     ends = [
-        _ends(f"{file.name} feature {number}", geometry)
+        _told_ends(f"{file.name} feature {number}", geometry)
         for number, geometry in enumerate(geometries, 1)
     ]
     found = {"origin": [start for start, _ in ends], "destination": [end for _, end in ends]}
     return {key: places for key, places in found.items() if any(places)}
+
+
+def _told_ends(where: str, geometry: Any) -> tuple[Any, Any]:
+    """Return where a trip starts and ends; an error if its geometry tells no such places."""
+    try:
+        return _ends(where, geometry)
+    except ScenarioError as error:
+        return error, None
 
 
 def _ends(where: str, geometry: Any) -> tuple[Any, Any]:

@@ -12,7 +12,7 @@ from ...errors import PlatoonError, ScenarioError, brief
 from ...plans.trip import TIMES
 
 __all__ = [
-    "DRIVER", "FLEXIBILITY", "PLACES", "PROFILE", "SPREAD", "TRIP_KEYS", "hint", "known",
+    "CARRIER", "DRIVER", "FLEXIBILITY", "PLACES", "PROFILE", "SPREAD", "TRIP_KEYS", "hint", "known",
     "text_of", "told",
 ]  # fmt: skip
 
@@ -21,6 +21,8 @@ FLEXIBILITY = "flexibility_min"
 PROFILE = "profile"
 DRIVER = "driver"
 SPREAD = "delay_spread_min"
+CARRIER = "carrier"
+"""A column of tables for whole fleets alone."""
 TRIP_KEYS = ("vehicle", *PLACES, *TIMES, FLEXIBILITY, PROFILE, DRIVER, SPREAD)
 """What a trip may say, in TOML as in tables; vehicle, origin and destination it must say."""
 

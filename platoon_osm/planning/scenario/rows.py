@@ -23,10 +23,13 @@ class Row:
         For messages: "trips.csv line 3".
     cells : dict
         By column, blank ones left out.
+    fault : str
+        Why the row cannot be read; empty if it can.
     """
 
     where: str
     cells: dict[str, Any]
+    fault: str = ""
 
 
 def rows_under(
@@ -39,7 +42,8 @@ def rows_under(
     header : sequence
         Titles of the columns, in any case and with blanks.
     lines : iterable of (str, sequence)
-        What each row is called in messages, and its cells.
+        What each row is called in messages, and its cells; an error stands for a cell that cannot
+        be read.
     where : str
         What the header is called: "trips.csv line 1".
 
@@ -51,26 +55,36 @@ def rows_under(
     Raises
     ------
     ScenarioError
-        A column that is unknown, missing or there twice, or a cell without one.
+        A column that is unknown, missing or there twice.
     """
+    if broken := next((cell for cell in header if isinstance(cell, ScenarioError)), None):
+        raise broken
     columns = [column_named(title) for title in header]
     _check(columns, header, where)
     rows = []
     for name, cells in lines:
         if all(is_blank(cell) for cell in cells):
             continue
-        for column, cell in zip(columns, cells, strict=False):
-            if not column and not is_blank(cell):
-                raise ScenarioError(f"{name}: {brief(cell)} stands in a column without a title")
-        beyond = [cell for cell in cells[len(columns) :] if not is_blank(cell)]
-        if beyond:
-            raise ScenarioError(
-                f"{name} has {len(cells)} cells, the header {len(columns)}; a cell that holds the "
-                "delimiter, as a pair of coordinates may, stands in double quotes"
-            )
-        pairs = zip(columns, cells, strict=False)
-        rows.append(Row(name, {key: cell for key, cell in pairs if key and not is_blank(cell)}))
+        pairs = list(zip(columns, cells, strict=False))
+        kept = {key: cell for key, cell in pairs if key and not is_blank(cell)}
+        rows.append(Row(name, kept, _fault(name, columns, cells)))
     return rows
+
+
+def _fault(name: str, columns: Sequence[str], cells: Sequence[Any]) -> str:
+    """Return why a row cannot be read; empty if it can."""
+    for cell in cells:
+        if isinstance(cell, ScenarioError):
+            return str(cell)
+    for column, cell in zip(columns, cells, strict=False):
+        if not column and not is_blank(cell):
+            return f"{name}: {brief(cell)} stands in a column without a title"
+    if any(not is_blank(cell) for cell in cells[len(columns) :]):
+        return (
+            f"{name} has {len(cells)} cells, the header {len(columns)}; a cell that holds the "
+            "delimiter, as a pair of coordinates may, stands in double quotes"
+        )
+    return ""
 
 
 def _check(columns: Sequence[str], header: Sequence[Any], where: str) -> None:

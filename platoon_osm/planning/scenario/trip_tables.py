@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import PlatoonError, ScenarioError, brief
+from ...plans.fleet import Unserved
 from ...plans.trip import Trip, check_one_clock
 from ...vehicles.profile import NO_VEHICLES, Vehicle
+from .cell_values import text_in
 from .cells import row_of
 from .csv_table import read_csv
 from .geopackage_table import read_geopackage
+from .keys import CARRIER
 from .rows import Row
 from .text_file import MOST_BYTES, beginning_of, kind_by_content, path_of
 from .trip_rows import trip_of
 from .xlsx_table import read_xlsx
 
-__all__ = ["TABLE_SUFFIXES", "read_trips"]
+__all__ = ["TABLE_SUFFIXES", "FleetTable", "read_fleet_table", "read_trips"]
 
 A_TABLE = "a table of trips (.csv, .xlsx, .gpkg)"
 TABLE_SUFFIXES = (".csv", ".tsv", ".txt", ".xlsx", ".xlsm", ".gpkg")
@@ -63,28 +67,120 @@ def read_trips(
     ScenarioError
         The file cannot be read, or has a column or cell that is none; with line and remedy.
     """
+    file, rows = _table(path, sheet)
+    trips = []
+    for row, found in _read(rows, profiles):
+        if isinstance(found, ScenarioError):
+            raise found
+        if CARRIER in row.cells:
+            raise ScenarioError(
+                f"{row.where}: {CARRIER} counts in fleets alone; plan them with fleet, or remove "
+                "the column"
+            )
+        trips.append(found)
+    try:
+        check_one_clock(trips)
+    except PlatoonError as error:
+        raise ScenarioError(f"{file}: {error}") from error
+    return trips
+
+
+@dataclass(frozen=True, slots=True)
+class FleetTable:
+    """A table of a fleet's trips, as far as it can be read.
+
+    Attributes
+    ----------
+    trips : tuple of Trip
+        Of the rows that can be read, in their order.
+    unserved : tuple of Unserved
+        The other rows, by vehicle or, where a row names none, by where it stands.
+    carriers : dict of str to str
+        Who sends the vehicles of trips, of rows that say so in a column `carrier`.
+    """
+
+    trips: tuple[Trip, ...]
+    unserved: tuple[Unserved, ...]
+    carriers: dict[str, str]
+
+
+def read_fleet_table(
+    path: str | os.PathLike[str],
+    sheet: str | None = None,
+    profiles: Mapping[str, Vehicle] = NO_VEHICLES,
+) -> FleetTable:
+    """Read trips from a table, and list the rows that cannot be read instead of refusing all.
+
+    Parameters
+    ----------
+    path, sheet, profiles : see `read_trips`
+        The same; a column `carrier` may say who sends the vehicle.
+
+    Returns
+    -------
+    FleetTable
+        Trips, what could not be read, and carriers. Trips whose times have a zone where the
+        first one's have none, or the other way round, are among what could not be read.
+
+    Raises
+    ------
+    ScenarioError
+        The file cannot be read, has no rows, or a column that is none.
+    """
+    _, rows = _table(path, sheet)
+    trips: list[Trip] = []
+    unserved: list[Unserved] = []
+    carriers: dict[str, str] = {}
+    timed: list[Trip] = []
+    for row, found in _read(rows, profiles):
+        try:
+            if isinstance(found, ScenarioError):
+                raise found
+            carrier = text_in(f"{row.where}: {CARRIER}", row.cells.get(CARRIER, ""))
+            if found.times:
+                check_one_clock([*timed, found])
+                timed = timed or [found]
+        except PlatoonError as error:
+            named = row.cells.get("vehicle")
+            unserved.append(Unserved(row.where if named is None else str(named), str(error)))
+            continue
+        trips.append(found)
+        if carrier:
+            carriers[found.vehicle] = carrier
+    return FleetTable(tuple(trips), tuple(unserved), carriers)
+
+
+def _table(path: str | os.PathLike[str], sheet: str | None) -> tuple[Path, list[Row]]:
+    """Return a file and its rows."""
     file = path_of(path, A_TABLE)
     if sheet is not None and not (isinstance(sheet, str) and sheet.strip()):
         raise ScenarioError(f"sheet {brief(sheet)} must be the name of a sheet or layer")
     rows = _rows(file, sheet)
     if not rows:
         raise ScenarioError(f"{file}: has no rows under its header; add a trip a row")
+    return file, rows
+
+
+def _read(
+    rows: list[Row], profiles: Mapping[str, Vehicle]
+) -> Iterator[tuple[Row, Trip | ScenarioError]]:
+    """Yield the trip of each row, or why there is none."""
     seen: dict[str, str] = {}
-    trips = []
     for row in rows:
-        trip = trip_of(row.where, row_of(row.where, row.cells), profiles)
-        if trip.vehicle in seen:
-            raise ScenarioError(
-                f"{row.where}: vehicle {brief(trip.vehicle)} has a trip already "
-                f"({seen[trip.vehicle]}); names must differ"
-            )
+        try:
+            if row.fault:
+                raise ScenarioError(row.fault)
+            trip = trip_of(row.where, row_of(row.where, row.cells), profiles)
+            if trip.vehicle in seen:
+                raise ScenarioError(
+                    f"{row.where}: vehicle {brief(trip.vehicle)} has a trip already "
+                    f"({seen[trip.vehicle]}); names must differ"
+                )
+        except ScenarioError as error:
+            yield row, error
+            continue
         seen[trip.vehicle] = row.where
-        trips.append(trip)
-    try:
-        check_one_clock(trips)
-    except PlatoonError as error:
-        raise ScenarioError(f"{file}: {error}") from error
-    return trips
+        yield row, trip
 
 
 def _rows(file: Path, sheet: str | None) -> list[Row]:

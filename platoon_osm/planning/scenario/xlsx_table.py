@@ -136,16 +136,26 @@ def _lines(file: Path, values: Any, formulas: Any) -> Iterator[tuple[str, list[A
         sheet.reset_dimensions()  # some programs write them wrongly
     pairs = zip(values.iter_rows(), formulas.iter_rows(), strict=False)
     for number, (cells, written) in enumerate(pairs, 1):
-        for k, (cell, formula) in enumerate(zip(cells, written, strict=False), 1):
-            place = f"{file.name} cell {get_column_letter(k)}{number}"
-            if cell.value is None and formula.value is not None:
-                raise ScenarioError(
-                    f"{place}: is a formula without its value; open the workbook in a spreadsheet "
-                    "program and save it, or write the value"
-                )
-            if getattr(cell, "data_type", "") == "e":
-                raise ScenarioError(f"{place}: is the error {cell.value}; correct its formula")
-        yield f"{file.name} row {number}", [_plain(cell) for cell in cells]
+        yield (
+            f"{file.name} row {number}",
+            [
+                _read(f"{file.name} cell {get_column_letter(k)}{number}", cell, formula)
+                for k, (cell, formula) in enumerate(zip_longest(cells, written), 1)
+                if cell is not None
+            ],
+        )
+
+
+def _read(place: str, cell: Any, formula: Any) -> Any:
+    """Return what a cell holds; an error if it cannot be read."""
+    if cell.value is None and formula is not None and formula.value is not None:
+        return ScenarioError(
+            f"{place}: is a formula without its value; open the workbook in a spreadsheet "
+            "program and save it, or write the value"
+        )
+    if getattr(cell, "data_type", "") == "e":
+        return ScenarioError(f"{place}: is the error {cell.value}; correct its formula")
+    return _plain(cell)
 
 
 def _plain(cell: Any) -> Any:
@@ -161,13 +171,13 @@ def _plain(cell: Any) -> Any:
 
 
 def _moment(where: str, cell: Any, epoch: datetime) -> Any:
-    """Return a number in a column of times as the moment that it is."""
+    """Return a number in a column of times as the moment that it is; an error if it is none."""
     if isinstance(cell, bool) or not isinstance(cell, int | float):
         return cell
     from openpyxl.utils.datetime import from_excel
 
     if not FIRST_DAY <= cell <= LAST_DAY:
-        raise ScenarioError(f"{where}: {cell} is no day of a spreadsheet; write 2026-03-02 06:00")
+        return ScenarioError(f"{where}: {cell} is no day of a spreadsheet; write 2026-03-02 06:00")
     moment = from_excel(cell, epoch)
     return _rounded(moment) if isinstance(moment, datetime) else cell
 
