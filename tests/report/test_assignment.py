@@ -1,0 +1,94 @@
+"""The tables of a fleet's dispatcher: who drives with whom, from where to where, and when."""
+
+import csv
+from dataclasses import replace
+from datetime import datetime
+
+import pytest
+
+import platoon_osm as po
+from platoon_osm.plans.fleet import FleetRecord, Unserved
+from platoon_osm.report.exports.assignment import (
+    company_parts,
+    write_assignment,
+    write_platoons,
+    write_unserved,
+)
+
+
+@pytest.fixture(scope="module")
+def day():
+    """A trunk from Alba to Dego; b joins at the second node and leaves at the fourth; c is away."""
+    names = ["Alba", "Bra", "Cuneo", "Dego", "Exit", "East", "Far", "Gone"]
+    pairs = [(0, 1), (1, 2), (2, 3), (4, 1), (2, 5), (6, 7)]
+    lon = [8.0, 8.5, 9.0, 9.5, 8.4, 9.1, 11.0, 11.5]
+    lat = [45.0, 45.0, 45.0, 45.0, 45.2, 45.2, 45.5, 45.5]
+    net = po.RoadNetwork.from_edges(
+        [a for a, _ in pairs], [b for _, b in pairs], [40_000.0] * 6, lon=lon, lat=lat,
+        node_name=names,
+    )  # fmt: skip
+    at = datetime(2026, 3, 2, 6)
+    trips = [
+        po.Trip("=a", "Alba", "Dego", earliest_departure=at, flexibility_min=60),
+        po.Trip("b", "Exit", "East", earliest_departure=at.replace(minute=10), flexibility_min=60),
+        po.Trip("c", "Far", "Gone", earliest_departure=at, flexibility_min=60),
+    ]
+    plan = po.plan_joint(net, po.FuelCosts(), trips)
+    record = FleetRecord(
+        1.0, 1.0, 9.0, 0.1, 1.0, "free", "many", None, 0, "proved", 1,
+        unserved=(Unserved("late", "late even alone by 5 min"),),
+    )  # fmt: skip
+    return replace(plan, fleet=record), net
+
+
+def table(write, tmp_path):
+    write(tmp_path / "t.csv")
+    with (tmp_path / "t.csv").open(encoding="utf-8", newline="") as handle:
+        return list(csv.DictReader(handle))
+
+
+def test_a_row_for_each_part_in_company(day, tmp_path):
+    plan, net = day
+    a, b, c = table(lambda path: write_assignment(plan, net, path), tmp_path)
+    assert (a["vehicle"], b["vehicle"], c["vehicle"]) == ("'=a", "b", "c")
+    assert a["with"] == "b"
+    assert b["with"] == "'=a"
+    assert sorted((a["position"], b["position"])) == ["1", "2"]
+    for row in (a, b):
+        assert (row["merges_at"], row["separates_at"], row["km"]) == ("Bra", "Cuneo", "40")
+        # Both are at the merge when the later one is; 40 km take half an hour at 80 km/h.
+        assert row["merges_time"] == b["merges_time"]
+        drive = datetime.fromisoformat(row["separates_time"]) - datetime.fromisoformat(
+            row["merges_time"]
+        )
+        assert drive.total_seconds() == pytest.approx(40_000 / float(net.speed_mps[1]), abs=1)
+    assert (c["with"], c["merges_at"], c["km"], c["saving_l"]) == ("", "", "", "")
+    assert c["departs"] == "2026-03-02T06:00:00"
+    saved = sum(float(row["saving_l"]) for row in (a, b))
+    assert saved == pytest.approx(plan.solo_cost - plan.joint_cost, rel=1e-5)
+
+
+def test_a_row_for_each_platoon(day, tmp_path):
+    plan, net = day
+    (one,) = table(lambda path: write_platoons(plan, net, path), tmp_path)
+    assert (one["size"], one["begins_at"], one["ends_at"]) == ("2", "Bra", "Cuneo")
+    leader = next(part for part in company_parts(plan) if part.position == 1)
+    names = [plan.trips[k].vehicle for k in leader.company]
+    assert one["vehicles"].replace("'", "") == "; ".join(names)
+    assert float(one["saving_l"]) == pytest.approx(plan.solo_cost - plan.joint_cost, rel=1e-5)
+
+
+def test_parts_cover_what_is_driven_in_company(day):
+    plan, _ = day
+    for vehicle, own in enumerate(plan.vehicles):
+        legs = [k for k, leg in enumerate(own.legs) if leg.role == "platoon"]
+        parts = [part for part in company_parts(plan) if part.vehicle == vehicle]
+        assert [k for part in parts for k in range(part.first, part.last + 1)] == legs
+
+
+def test_who_could_not_be_planned(day, tmp_path):
+    plan, _ = day
+    assert table(lambda path: write_unserved(plan, path), tmp_path) == [
+        {"vehicle": "late", "reason": "late even alone by 5 min"}
+    ]
+    assert table(lambda path: write_unserved(replace(plan, fleet=None), path), tmp_path) == []
