@@ -1,0 +1,278 @@
+"""The lower bound on a fleet's costs, which rises step by step.
+
+Rounds alternate: steps of ascent over the shares of the listed pairs; an evaluation over all pairs,
+in which an unlisted one costs the least that it may, so that the bound holds; and new pairs, those
+that cheapest schedules used, or smaller buckets. Routes given, all pairs are listed from the start;
+routes free, those of the routes alone, and those whose windows overlap no other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import ScenarioError
+from ..instance import Instance
+from .ascent import Volume
+from .buckets import Buckets, Clock, bucketed, inherited
+from .crews import Crew
+from .projecting import projected
+from .searching import Searching
+from .shares import Shares
+from .splitting import cuts_of
+from .stabbing import first_shares
+from .ways import ways_of
+from .whole import whole_shares
+
+__all__ = ["Bound", "Guide"]
+
+Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+LISTING_ROUNDS = 4
+"""Rounds that list pairs before buckets are cut."""
+
+FIRST_STEPS, LISTING_STEPS, LEAST_STEPS = 80, 30, 80
+"""Steps of the first round, of one that lists pairs, and of others at least."""
+
+LOOK = 40
+"""Steps between two looks at what was gained."""
+
+ENOUGH = 0.01
+"""A round ends if less than this part of what is missing was gained between two looks."""
+
+ROUNDING = 1e-9
+"""The part by which the bound is lowered for rounding in sums; `certified` is exact."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Guide:
+    """What the bound tells the search for a plan.
+
+    Attributes
+    ----------
+    least : ndarray of float64, (P,)
+        The least share of each pair over its window [grains].
+    cost : ndarray of float64, (N,)
+        What each truck's cheapest schedule costs [grains].
+    lanes : ndarray of int32, (N, w)
+        Its lanes.
+    departs : ndarray of int64, (N, w)
+        When it enters them [ticks].
+    count : ndarray of int64, (N,)
+        How many lanes it has.
+    """
+
+    least: Floats
+    cost: Floats
+    lanes: NDArray[np.int32]
+    departs: Ints
+    count: Ints
+
+
+class Bound:
+    """A lower bound on what the plans of a fleet cost.
+
+    Parameters
+    ----------
+    instance : Instance
+        The fleet's problem.
+    threads : int
+        Cores to use; the answer does not depend on it.
+    seed : int
+        Of draws, of which there are none so far.
+
+    Attributes
+    ----------
+    shares : Shares
+        The best found.
+    cost : float
+        The bound that they give [grains].
+    guide : Guide
+        What they tell the search for a plan.
+    settled : bool
+        Whether nothing more is to be gained.
+
+    Raises
+    ------
+    ScenarioError
+        A price of waiting, which the bound does not know.
+    """
+
+    def __init__(self, instance: Instance, threads: int = 1, seed: int = 0) -> None:
+        if instance.waiting:
+            raise ScenarioError(
+                "fleet: the bound does not know a price of waiting; use an objective without"
+            )
+        self._instance, self._threads, self._seed = instance, threads, seed
+        self._clock = Clock.of(instance)
+        self._every = ways_of(instance, np.arange(instance.pairs))
+        self._cuts = np.empty(0, np.int64)
+        self._round, self._stale = 0, 0
+        self.settled = False
+        self.cost = -np.inf
+        self._listed = _first_pairs(instance)
+        self._buckets = bucketed(instance, self._clock, self._listed, self._cuts)
+        with Crew(threads) as crew:
+            share = first_shares(instance, self._buckets)
+            self._evaluate(share, crew)
+            self._start(share, crew)
+
+    def improve(self, target: float, steps: int, stop: Callable[[], bool]) -> None:
+        """Raise the bound.
+
+        Parameters
+        ----------
+        target : float
+            What the best plan costs [grains].
+        steps : int
+            About how many steps to take.
+        stop : callable
+            Is asked before each step whether to end.
+        """
+        target = min(target, float(self._instance.alone_cost.sum()))
+        with Crew(self._threads) as crew:
+            fresh = False
+            for _ in range(steps):
+                if self.settled or stop():
+                    break
+                self._volume.step(crew, target)
+                self._steps += 1
+                fresh = True
+                if self._steps % LOOK == 0 and self._round >= LISTING_ROUNDS:
+                    self._gather()
+                if self._ended(target):
+                    self._next(crew, target)
+                    fresh = False
+            if fresh:
+                self._evaluate(self._volume.shares, crew)
+
+    def certified(self) -> tuple[Shares, int]:
+        """Return whole shares, and the bound that they give, exactly.
+
+        Returns
+        -------
+        shares : Shares
+            Rounded down so that they are valid in whole numbers.
+        cost : int
+            What the trucks' cheapest schedules cost together under them, searched anew without
+            shortcuts [grains].
+        """
+        own = self._best
+        share = whole_shares(own, self.shares.share, self._instance)
+        searching = Searching(self._instance, own, share, every=True, ways=self._every)
+        with Crew(self._threads) as crew:
+            searching.search(crew, pruned=False)
+        return _shares(own, share), int(searching.routes.cost.sum())
+
+    def _start(self, share: Floats, crew: Crew) -> None:
+        """Begin a round with buckets that were made anew."""
+        searching = Searching(self._instance, self._buckets, share)
+        first = self._round == 0
+        self._volume = Volume(
+            self._buckets, searching, self._instance.largest,
+            part=0.2 if first else 0.3, weight=0.1 if first else 0.07,
+        )  # fmt: skip
+        self._volume.begin(crew)
+        self._steps, self._looked = 0, self._volume.best
+
+    def _ended(self, target: float) -> bool:
+        """Tell whether a round has done what it can."""
+        missing = target - self._volume.best
+        if missing <= 1e-9 * abs(target):
+            return True
+        if self._listing:
+            return self._steps >= (FIRST_STEPS if self._round == 0 else LISTING_STEPS)
+        if self._steps % LOOK:
+            return False
+        gained, self._looked = self._volume.best - self._looked, self._volume.best
+        return self._steps >= LEAST_STEPS and gained < ENOUGH * missing
+
+    @property
+    def _listing(self) -> bool:
+        """Whether rounds are short, for many pairs are not listed yet."""
+        return self._round < LISTING_ROUNDS and len(self._listed) < self._instance.pairs
+
+    def _next(self, crew: Crew, target: float) -> None:
+        """End a round: evaluate, list pairs and cut buckets, and begin the next."""
+        before = self.cost
+        share = self._volume.shares
+        used = self._evaluate(share, crew)
+        listed = np.union1d(self._listed, used)
+        cuts = self._cuts
+        if self._round >= LISTING_ROUNDS or len(listed) == len(self._listed):
+            self._gather()
+            cuts = np.union1d(cuts, self._gathered)
+        self._gathered = np.empty(0, np.int64)
+        buckets = bucketed(
+            self._instance, self._clock, listed, np.union1d(cuts, self._buckets.keys)
+        )
+        self._stale = self._stale + 1 if self.cost - before <= 1e-4 * (target - self.cost) else 0
+        same = buckets.shares == self._buckets.shares
+        self.settled = (
+            target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 2)
+        )
+        unlisted = -self._instance.leader_saves[self._instance.pair_lane[listed]]
+        share = inherited(self._buckets, share, buckets, unlisted.astype(np.float64))
+        if len(listed) > len(self._listed):
+            # What pairs that were not listed left unused is handed out.
+            projected(
+                share, buckets.first_member, buckets.entry, buckets.extra, buckets.leader,
+                self._instance.largest,
+            )  # fmt: skip
+        self._listed, self._buckets, self._cuts = listed, buckets, cuts
+        self._round += 1
+        self._start(share, crew)
+
+    _gathered: Ints = np.empty(0, np.int64)
+
+    def _gather(self) -> None:
+        """Keep where the schedules found last would cut buckets."""
+        new = cuts_of(self._clock, self._buckets, self._volume.searching)
+        self._gathered = np.union1d(self._gathered, new)
+
+    def _evaluate(self, share: Floats, crew: Crew) -> Ints:
+        """Work out the bound over all pairs, keep it if it is the best, and return pairs in use."""
+        assert np.isfinite(share).all(), "shares are finite"
+        own = self._buckets
+        searching = Searching(self._instance, own, share, every=True, ways=self._every)
+        value = searching.search(crew) * (1.0 - ROUNDING)
+        if value > self.cost or not np.isfinite(self.cost):
+            self.cost, self._best = value, own
+            self.shares = _shares(own, share)
+            self.guide = _guide(self._instance, searching)
+        return searching.used()
+
+
+def _first_pairs(instance: Instance) -> Ints:
+    """Return the pairs to list first."""
+    if instance.given:
+        return np.arange(instance.pairs)
+    order = np.lexsort((instance.opens, instance.pair_lane))
+    lane, opens = instance.pair_lane[order], instance.opens[order]
+    # The last closing of those before, lane by lane: lanes are set so far apart that none reach.
+    apart = int(instance.closes.max() - instance.opens.min()) + 2 if instance.pairs else 0
+    reach = np.maximum.accumulate(instance.closes[order] + lane * apart)
+    meets = np.zeros(instance.pairs, np.bool_)
+    late = opens[1:] + lane[1:] * apart <= reach[:-1]
+    meets[1:] |= late
+    meets[:-1] |= late
+    lone = np.empty(instance.pairs, np.bool_)
+    lone[order] = ~meets
+    return np.flatnonzero(instance.on_alone | lone)
+
+
+def _shares(buckets: Buckets, share: Floats | Ints) -> Shares:
+    return Shares(
+        lane_first=buckets.lane_first, starts=buckets.starts, pairs=buckets.pairs,
+        first_bucket=buckets.first_bucket, first_share=buckets.first_share, share=share,
+    )  # fmt: skip
+
+
+def _guide(instance: Instance, searching: Searching) -> Guide:
+    least = np.minimum.reduceat(searching.share, searching.prices.first_share[:-1])
+    lanes, departs, count = searching.schedules()
+    return Guide(least, searching.routes.cost.astype(np.float64), lanes, departs, count)

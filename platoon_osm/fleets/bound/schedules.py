@@ -1,0 +1,393 @@
+"""The cheapest schedule of each truck under shares, exact whatever instants it may leave at.
+
+What a lane costs depends on the bucket it is entered in alone, so it is best to enter as soon as
+the truck is there, or at the start of a later bucket if that is cheaper. At a place a truck has a
+front: instants with the least cost of being there by then, later ones only where cheaper. Where
+lanes close no circle, places are taken in order of the drive: the front of the tail is led over
+each lane, and fronts that meet at a head are merged. Else labels are taken in order of time.
+
+A label falls if its cost and the least that the rest may cost, each lane at its least share, reach
+what the truck's schedule of before costs now: it stays the best then. What is told is lower than
+that cost by a part in 10^12, which is far more than rounding makes.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...search.hierarchy.runtime.jit import compiled, made_known
+from .ways import Ways
+
+__all__ = ["Prices", "Routes", "cheapest", "told_schedules"]
+
+Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+FAR = 1 << 60
+"""Beyond every cost in grains and every instant."""
+
+TOLERANCE = 1e-12
+"""Of costs: rounding in a sum of some hundred terms stays below a hundredth of it."""
+
+
+class Prices(NamedTuple):
+    """What pairs cost in each bucket.
+
+    Attributes
+    ----------
+    member : ndarray of float64 or int64, (K,)
+        What a member of a platoon pays on each pair's lane [grains].
+    first_bucket : ndarray of int64, (K,)
+        The bucket in which each pair's window opens.
+    first_share : ndarray of int64, (K + 1,)
+        Where its shares begin.
+    starts : ndarray of int64, (B,)
+        First instants of buckets [ticks].
+    share : ndarray of float64 or int64, (S,)
+        What is paid beyond `member` [grains].
+    """
+
+    member: Floats | Ints
+    first_bucket: Ints
+    first_share: Ints
+    starts: Ints
+    share: Floats | Ints
+
+
+class Routes(NamedTuple):
+    """The cheapest schedules found last.
+
+    Attributes
+    ----------
+    pair, entry : ndarray of int64, (places,)
+        Pairs and positions of shares, truck by truck where its places begin.
+    count : ndarray of int64, (N,)
+        How many lanes; -1 before the first search.
+    cost : ndarray of float64 or int64, (N,)
+        What each costs [grains].
+    """
+
+    pair: Ints
+    entry: Ints
+    count: Ints
+    cost: Floats | Ints
+
+
+def _over_lane(
+    p: int, begin: int, end: int, at: int, ways: Ways, prices: Prices, onward: Floats,
+    limit: float, time: Ints, cost: Floats, parent: Ints, entry: Ints,
+) -> int:  # fmt: skip
+    """Lead a front over a lane: its labels stand at begin to end, new ones from `at` on."""
+    starts, share = prices.starts, prices.share
+    low, high = prices.first_share[p], prices.first_share[p + 1]
+    bucket = prices.first_bucket[p]
+    opens, closes, drive = ways.opens[p], ways.closes[p], ways.drive[p]
+    rest = onward[ways.head[p]] + prices.member[p]
+    first = 0
+    if high - low > 1 and starts[bucket + 1] <= time[begin]:
+        last = high - low
+        while last - first > 1:
+            middle = (first + last) >> 1
+            if starts[bucket + middle] <= time[begin]:
+                first = middle
+            else:
+                last = middle
+    j = begin
+    best = limit + limit
+    source = -1
+    lowest = best
+    for i in range(first, high - low):
+        start = max(starts[bucket + i], opens)
+        until = closes if i + 1 == high - low else starts[bucket + i + 1] - 1
+        price = share[low + i]
+        while j < end and time[j] <= start:
+            best = cost[j]
+            source = j
+            j += 1
+        if source >= 0 and best + price < lowest:
+            lowest = best + price
+            if lowest + rest < limit:
+                time[at] = start + drive
+                cost[at] = lowest + prices.member[p]
+                parent[at] = source
+                entry[at] = low + i
+                at += 1
+        while j < end and time[j] <= until:
+            best = cost[j]
+            source = j
+            if best + price < lowest:
+                lowest = best + price
+                if lowest + rest < limit:
+                    time[at] = time[j] + drive
+                    cost[at] = lowest + prices.member[p]
+                    parent[at] = source
+                    entry[at] = low + i
+                    at += 1
+            j += 1
+    return at
+
+
+def _merged(
+    a: int, a_end: int, b: int, b_end: int, time: Ints, cost: Floats, parent: Ints, entry: Ints,
+    pair: Ints,
+) -> int:  # fmt: skip
+    """Merge two fronts into one that begins at b_end, and return its end."""
+    at = b_end
+    first = True
+    lowest = cost[a]
+    i, j = a, b
+    while i < a_end or j < b_end:
+        if j >= b_end or (i < a_end and time[i] <= time[j]):
+            one = i
+            i += 1
+        else:
+            one = j
+            j += 1
+        if first or cost[one] < lowest:
+            # Of two at one instant the cheaper stays.
+            if not first and time[at - 1] == time[one]:
+                at -= 1
+            first = False
+            lowest = cost[one]
+            time[at] = time[one]
+            cost[at] = lowest
+            parent[at] = parent[one]
+            entry[at] = entry[one]
+            pair[at] = pair[one]
+            at += 1
+    return at
+
+
+def _least_onward(k: int, ways: Ways, prices: Prices, onward: Floats, far: float) -> None:
+    """Work out the least that getting from each place to the destination may cost."""
+    places = ways.first_place[k + 1] - ways.first_place[k]
+    for u in range(places):
+        onward[u] = far
+    onward[ways.sink[k]] = 0
+    changed = True
+    while changed:
+        changed = False
+        for i in range(ways.first[k + 1] - 1, ways.first[k] - 1, -1):
+            p = ways.order[i]
+            beyond = onward[ways.head[p]]
+            if beyond >= onward[ways.tail[p]]:
+                continue
+            least = prices.share[prices.first_share[p]]
+            for s in range(prices.first_share[p] + 1, prices.first_share[p + 1]):
+                least = min(least, prices.share[s])
+            through = beyond + prices.member[p] + least
+            if through < onward[ways.tail[p]]:
+                onward[ways.tail[p]] = through
+                changed = True
+        if ways.in_order[k]:
+            return
+
+
+def _pushed(heap: Ints, size: int, one: int, time: Ints) -> int:
+    """Put a label on a heap in order of time."""
+    at = size
+    while at > 0:
+        above = (at - 1) >> 1
+        if time[heap[above]] <= time[one]:
+            break
+        heap[at] = heap[above]
+        at = above
+    heap[at] = one
+    return size + 1
+
+
+def _popped(heap: Ints, size: int, time: Ints) -> int:
+    """Take the first label, heap[0], off a heap."""
+    size -= 1
+    one = heap[size]
+    at = 0
+    while True:
+        below = 2 * at + 1
+        if below >= size:
+            break
+        if below + 1 < size and time[heap[below + 1]] < time[heap[below]]:
+            below += 1
+        if time[heap[below]] >= time[one]:
+            break
+        heap[at] = heap[below]
+        at = below
+    heap[at] = one
+    return size
+
+
+for _helper in (_over_lane, _merged, _least_onward, _pushed, _popped):
+    made_known(_helper)
+
+
+@compiled
+def cheapest(
+    begin: int, end: int, room: int, pruned: bool, ways: Ways, prices: Prices, routes: Routes
+) -> int:
+    """Find the cheapest schedules of some trucks.
+
+    Parameters
+    ----------
+    begin, end : int
+        The trucks.
+    room : int
+        For how many labels of a truck there is room.
+    pruned : bool
+        Whether labels fall by what remains and by the schedules of before.
+    ways : Ways
+        The networks of the trucks.
+    prices : Prices
+        What their pairs cost.
+    routes : Routes
+        The schedules of before, and then the new ones.
+
+    Returns
+    -------
+    int
+        -1, or the first truck whose labels found no room; those before it are done.
+    """
+    most = np.max(np.diff(ways.first_place)) + 1
+    widest = np.max(np.diff(prices.first_share)) if len(prices.first_bucket) else 0
+    onward = np.zeros(most, prices.share.dtype)
+    low = np.zeros(most, np.int64)
+    high = np.zeros(most, np.int64)
+    least = np.empty(most, prices.share.dtype)
+    time = np.empty(room, np.int64)
+    cost = np.empty(room, prices.share.dtype)
+    parent = np.empty(room, np.int64)
+    entry = np.empty(room, np.int64)
+    pair = np.empty(room, np.int64)
+    place = np.empty(room, np.int64)
+    heap = np.empty(room, np.int64)
+    far = prices.share.dtype.type(FAR)
+    for k in range(begin, end):
+        if ways.source[k] < 0 or ways.source[k] == ways.sink[k]:
+            routes.count[k] = 0
+            routes.cost[k] = 0
+            continue
+        at = ways.first_place[k]
+        limit = far
+        if pruned and routes.count[k] >= 0:
+            limit = prices.share.dtype.type(0)
+            for i in range(at, at + routes.count[k]):
+                limit += prices.member[routes.pair[i]] + prices.share[routes.entry[i]]
+            limit -= prices.share.dtype.type(limit * TOLERANCE)
+        if pruned:
+            _least_onward(k, ways, prices, onward, far)
+            if onward[ways.source[k]] >= limit:
+                routes.cost[k] = limit
+                continue
+        time[0] = ways.earliest[k]
+        cost[0] = 0
+        parent[0] = -1
+        top = 1
+        found = -1
+        if ways.in_order[k]:
+            for u in range(ways.first_place[k + 1] - at):
+                low[u] = high[u] = 0
+            high[ways.source[k]] = 1
+            for i in range(ways.first[k], ways.first[k + 1]):
+                p = ways.order[i]
+                u, v = ways.tail[p], ways.head[p]
+                if low[u] == high[u] or v == ways.source[k] or u == ways.sink[k]:
+                    continue
+                own = high[v] - low[v]
+                if top + 2 * (high[u] - low[u] + widest) + own > room - 1:
+                    return k
+                after = _over_lane(
+                    p, low[u], high[u], top, ways, prices, onward, limit, time, cost, parent, entry
+                )
+                for x in range(top, after):
+                    pair[x] = p
+                if own == 0:
+                    low[v], high[v], top = top, after, after
+                elif after > top:
+                    merged = _merged(
+                        low[v], high[v], top, after, time, cost, parent, entry, pair
+                    )
+                    low[v], high[v], top = after, merged, merged
+            if high[ways.sink[k]] > low[ways.sink[k]]:
+                found = high[ways.sink[k]] - 1
+        else:
+            for u in range(ways.first_place[k + 1] - at):
+                least[u] = limit
+            place[0] = ways.source[k]
+            size = _pushed(heap, 0, 0, time)
+            while size > 0:
+                one = heap[0]
+                size = _popped(heap, size, time)
+                u = place[one]
+                if cost[one] >= least[u]:
+                    continue
+                least[u] = cost[one]
+                if u == ways.sink[k]:
+                    found = one
+                    limit = min(limit, cost[one])
+                    continue
+                if cost[one] + onward[u] >= limit:
+                    continue
+                p = ways.leaving[at + k + u]
+                while p < ways.first[k + 1] and ways.tail[p] == u:
+                    if top + widest + 1 > room - 1:
+                        return k
+                    if time[one] <= ways.closes[p]:
+                        after = _over_lane(
+                            p, one, one + 1, top, ways, prices, onward, limit, time, cost, parent,
+                            entry,
+                        )
+                        for x in range(top, after):
+                            if cost[x] < least[ways.head[p]]:
+                                time[top] = time[x]
+                                cost[top] = cost[x]
+                                parent[top] = one
+                                entry[top] = entry[x]
+                                pair[top] = p
+                                place[top] = ways.head[p]
+                                size = _pushed(heap, size, top, time)
+                                top += 1
+                    p += 1
+        if found < 0:
+            routes.cost[k] = limit
+            continue
+        count = 0
+        one = found
+        while parent[one] >= 0:
+            count += 1
+            one = parent[one]
+        routes.count[k] = count
+        routes.cost[k] = cost[found]
+        one = found
+        for i in range(at + count - 1, at - 1, -1):
+            routes.pair[i] = pair[one]
+            routes.entry[i] = entry[one]
+            one = parent[one]
+    return -1
+
+
+@compiled
+def told_schedules(
+    ways: Ways, prices: Prices, routes: Routes, lane: Ints, lanes: Ints, departs: Ints
+) -> None:
+    """Write down the lanes of schedules and when they are entered.
+
+    Parameters
+    ----------
+    ways, prices, routes : Ways, Prices, Routes
+        As `cheapest` left them.
+    lane : ndarray of int64, (K,)
+        The lane of each pair.
+    lanes, departs : ndarray of int64, (N, w)
+        Are filled row by row.
+    """
+    for k in range(len(routes.count)):
+        now = ways.earliest[k]
+        for i in range(routes.count[k]):
+            at = ways.first_place[k] + i
+            p = routes.pair[at]
+            bucket = prices.first_bucket[p] + routes.entry[at] - prices.first_share[p]
+            now = max(now, ways.opens[p], prices.starts[bucket])
+            lanes[k, i] = lane[p]
+            departs[k, i] = now
+            now += ways.drive[p]
