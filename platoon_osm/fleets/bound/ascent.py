@@ -97,9 +97,7 @@ class Volume:
         own, share = self.buckets, self.searching.share
         norm = sum(
             crew.each(
-                lambda begin, end: _norm(
-                    begin, end, self._average, own.first_member, self.largest
-                ),
+                lambda begin, end: _norm(begin, end, self._average, own.first_member, self.largest),
                 self._chunks,
             )
         )
@@ -135,7 +133,9 @@ class Volume:
     def _blend(self, weight: float) -> None:
         routes, ways = self.searching.routes, self.searching.ways
         self._average *= 1.0 - weight
-        _add(weight, routes.entry, routes.count, ways.first_place, self.buckets.place, self._average)
+        _add(
+            weight, routes.entry, routes.length, ways.first_place, self.buckets.place, self._average
+        )
 
 
 @compiled

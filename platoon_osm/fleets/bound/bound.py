@@ -163,10 +163,13 @@ class Bound:
         """
         own = self._best
         share = whole_shares(own, self.shares.share, self._instance)
-        searching = Searching(self._instance, own, share, every=True, ways=self._every)
+        searching = Searching(
+            self._instance, own, share.astype(np.float64), every=True, ways=self._every
+        )
         with Crew(self._threads) as crew:
             searching.search(crew, pruned=False)
-        return _shares(own, share), int(searching.routes.cost.sum())
+        # Whole numbers below 2^53 are exact in double precision, and so are their sums.
+        return _shares(own, share), int(searching.routes.cost.astype(np.int64).sum())
 
     def _start(self, share: Floats, crew: Crew) -> None:
         """Begin a round with buckets that were made anew."""
@@ -212,9 +215,7 @@ class Bound:
         )
         self._stale = self._stale + 1 if self.cost - before <= 1e-4 * (target - self.cost) else 0
         same = buckets.shares == self._buckets.shares
-        self.settled = (
-            target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 2)
-        )
+        self.settled = target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 2)
         unlisted = -self._instance.leader_saves[self._instance.pair_lane[listed]]
         share = inherited(self._buckets, share, buckets, unlisted.astype(np.float64))
         if len(listed) > len(self._listed):
@@ -243,7 +244,7 @@ class Bound:
         if value > self.cost or not np.isfinite(self.cost):
             self.cost, self._best = value, own
             self.shares = _shares(own, share)
-            self.guide = _guide(self._instance, searching)
+            self.guide = _guide(searching)
         return searching.used()
 
 
@@ -272,7 +273,7 @@ def _shares(buckets: Buckets, share: Floats | Ints) -> Shares:
     )  # fmt: skip
 
 
-def _guide(instance: Instance, searching: Searching) -> Guide:
+def _guide(searching: Searching) -> Guide:
     least = np.minimum.reduceat(searching.share, searching.prices.first_share[:-1])
     lanes, departs, count = searching.schedules()
-    return Guide(least, searching.routes.cost.astype(np.float64), lanes, departs, count)
+    return Guide(least, searching.routes.cost, lanes, departs, count)

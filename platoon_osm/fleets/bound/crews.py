@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from types import TracebackType
 
 import numpy as np
@@ -31,9 +32,7 @@ def chunks_of(loads: NDArray[np.int64]) -> list[tuple[int, int]]:
     marks = np.linspace(loads[0], loads[-1], CHUNKS + 1)
     cuts = np.searchsorted(loads, marks[1:-1]).tolist()
     edges = [0, *cuts, len(loads) - 1]
-    return [
-        (begin, end) for begin, end in zip(edges[:-1], edges[1:], strict=True) if end > begin
-    ]
+    return [(begin, end) for begin, end in pairwise(edges) if end > begin]
 
 
 class Crew:
@@ -60,9 +59,7 @@ class Crew:
         if self._pool is not None:
             self._pool.shutdown()
 
-    def each(
-        self, work: Callable[[int, int], float], chunks: list[tuple[int, int]]
-    ) -> list[float]:
+    def each(self, work: Callable[[int, int], float], chunks: list[tuple[int, int]]) -> list[float]:
         """Do work chunk by chunk.
 
         Parameters

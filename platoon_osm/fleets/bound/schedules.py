@@ -26,8 +26,8 @@ __all__ = ["Prices", "Routes", "cheapest", "told_schedules"]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-FAR = 1 << 60
-"""Beyond every cost in grains and every instant."""
+FAR = 2.0**60
+"""Beyond every cost in grains."""
 
 TOLERANCE = 1e-12
 """Of costs: rounding in a sum of some hundred terms stays below a hundredth of it."""
@@ -38,7 +38,7 @@ class Prices(NamedTuple):
 
     Attributes
     ----------
-    member : ndarray of float64 or int64, (K,)
+    member : ndarray of float64, (K,)
         What a member of a platoon pays on each pair's lane [grains].
     first_bucket : ndarray of int64, (K,)
         The bucket in which each pair's window opens.
@@ -46,15 +46,15 @@ class Prices(NamedTuple):
         Where its shares begin.
     starts : ndarray of int64, (B,)
         First instants of buckets [ticks].
-    share : ndarray of float64 or int64, (S,)
+    share : ndarray of float64, (S,)
         What is paid beyond `member` [grains].
     """
 
-    member: Floats | Ints
+    member: Floats
     first_bucket: Ints
     first_share: Ints
     starts: Ints
-    share: Floats | Ints
+    share: Floats
 
 
 class Routes(NamedTuple):
@@ -64,16 +64,16 @@ class Routes(NamedTuple):
     ----------
     pair, entry : ndarray of int64, (places,)
         Pairs and positions of shares, truck by truck where its places begin.
-    count : ndarray of int64, (N,)
+    length : ndarray of int64, (N,)
         How many lanes; -1 before the first search.
-    cost : ndarray of float64 or int64, (N,)
+    cost : ndarray of float64, (N,)
         What each costs [grains].
     """
 
     pair: Ints
     entry: Ints
-    count: Ints
-    cost: Floats | Ints
+    length: Ints
+    cost: Floats
 
 
 def _over_lane(
@@ -161,11 +161,11 @@ def _merged(
     return at
 
 
-def _least_onward(k: int, ways: Ways, prices: Prices, onward: Floats, far: float) -> None:
+def _least_onward(k: int, ways: Ways, prices: Prices, onward: Floats) -> None:
     """Work out the least that getting from each place to the destination may cost."""
     places = ways.first_place[k + 1] - ways.first_place[k]
     for u in range(places):
-        onward[u] = far
+        onward[u] = FAR
     onward[ways.sink[k]] = 0
     changed = True
     while changed:
@@ -250,32 +250,31 @@ def cheapest(
     """
     most = np.max(np.diff(ways.first_place)) + 1
     widest = np.max(np.diff(prices.first_share)) if len(prices.first_bucket) else 0
-    onward = np.zeros(most, prices.share.dtype)
+    onward = np.zeros(most, np.float64)
     low = np.zeros(most, np.int64)
     high = np.zeros(most, np.int64)
-    least = np.empty(most, prices.share.dtype)
+    least = np.empty(most, np.float64)
     time = np.empty(room, np.int64)
-    cost = np.empty(room, prices.share.dtype)
+    cost = np.empty(room, np.float64)
     parent = np.empty(room, np.int64)
     entry = np.empty(room, np.int64)
     pair = np.empty(room, np.int64)
     place = np.empty(room, np.int64)
     heap = np.empty(room, np.int64)
-    far = prices.share.dtype.type(FAR)
     for k in range(begin, end):
         if ways.source[k] < 0 or ways.source[k] == ways.sink[k]:
-            routes.count[k] = 0
+            routes.length[k] = 0
             routes.cost[k] = 0
             continue
         at = ways.first_place[k]
-        limit = far
-        if pruned and routes.count[k] >= 0:
-            limit = prices.share.dtype.type(0)
-            for i in range(at, at + routes.count[k]):
+        limit = FAR
+        if pruned and routes.length[k] >= 0:
+            limit = 0.0
+            for i in range(at, at + routes.length[k]):
                 limit += prices.member[routes.pair[i]] + prices.share[routes.entry[i]]
-            limit -= prices.share.dtype.type(limit * TOLERANCE)
+            limit -= limit * TOLERANCE
         if pruned:
-            _least_onward(k, ways, prices, onward, far)
+            _least_onward(k, ways, prices, onward)
             if onward[ways.source[k]] >= limit:
                 routes.cost[k] = limit
                 continue
@@ -304,9 +303,7 @@ def cheapest(
                 if own == 0:
                     low[v], high[v], top = top, after, after
                 elif after > top:
-                    merged = _merged(
-                        low[v], high[v], top, after, time, cost, parent, entry, pair
-                    )
+                    merged = _merged(low[v], high[v], top, after, time, cost, parent, entry, pair)
                     low[v], high[v], top = after, merged, merged
             if high[ways.sink[k]] > low[ways.sink[k]]:
                 found = high[ways.sink[k]] - 1
@@ -334,7 +331,17 @@ def cheapest(
                         return k
                     if time[one] <= ways.closes[p]:
                         after = _over_lane(
-                            p, one, one + 1, top, ways, prices, onward, limit, time, cost, parent,
+                            p,
+                            one,
+                            one + 1,
+                            top,
+                            ways,
+                            prices,
+                            onward,
+                            limit,
+                            time,
+                            cost,
+                            parent,
                             entry,
                         )
                         for x in range(top, after):
@@ -356,7 +363,7 @@ def cheapest(
         while parent[one] >= 0:
             count += 1
             one = parent[one]
-        routes.count[k] = count
+        routes.length[k] = count
         routes.cost[k] = cost[found]
         one = found
         for i in range(at + count - 1, at - 1, -1):
@@ -381,9 +388,9 @@ def told_schedules(
     lanes, departs : ndarray of int64, (N, w)
         Are filled row by row.
     """
-    for k in range(len(routes.count)):
+    for k in range(len(routes.length)):
         now = ways.earliest[k]
-        for i in range(routes.count[k]):
+        for i in range(routes.length[k]):
             at = ways.first_place[k] + i
             p = routes.pair[at]
             bucket = prices.first_bucket[p] + routes.entry[at] - prices.first_share[p]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,7 +14,7 @@ from .ways import Ways, ways_of
 __all__ = ["Searching"]
 
 Ints = NDArray[np.int64]
-Amounts = NDArray[Any]
+Floats = NDArray[np.float64]
 
 ROOM = 1 << 14
 """Labels that a truck's search has room for at first."""
@@ -33,7 +31,7 @@ class Searching:
         The fleet's problem.
     buckets : Buckets
         Listed pairs and their buckets.
-    share : ndarray of float64 or int64, (S,)
+    share : ndarray of float64, (S,)
         Their shares [grains]; searches keep to them as they change.
     every : bool
         Whether trucks may use pairs that are not listed.
@@ -45,7 +43,7 @@ class Searching:
         self,
         instance: Instance,
         buckets: Buckets,
-        share: Amounts,
+        share: Floats,
         every: bool = False,
         ways: Ways | None = None,
     ) -> None:
@@ -66,18 +64,18 @@ class Searching:
             counts[listed] = np.diff(buckets.first_share)
             first_share = np.concatenate([[0], np.cumsum(counts)])
             unlisted = -instance.leader_saves[instance.pair_lane[~listed]]
-            self.share = np.empty(first_share[-1], share.dtype)
+            self.share = np.empty(first_share[-1], np.float64)
             of_listed = np.repeat(listed, counts)
             self.share[of_listed] = share
             self.share[~of_listed] = unlisted
             starts = np.append(starts, instance.opens.min() - 1)
         self.lane = instance.pair_lane[own]
-        member = instance.member[self.lane].astype(share.dtype)
+        member = instance.member[self.lane].astype(np.float64)
         self.prices = Prices(member, first_bucket, first_share, starts, self.share)
         places = int(self.ways.first_place[-1])
         self.routes = Routes(
             np.zeros(places, np.int64), np.zeros(places, np.int64),
-            np.full(instance.trucks, -1, np.int64), np.zeros(instance.trucks, share.dtype),
+            np.full(instance.trucks, -1, np.int64), np.zeros(instance.trucks, np.float64),
         )  # fmt: skip
         self._chunks = chunks_of(first_share[self.ways.first] + np.arange(instance.trucks + 1))
         self._room = ROOM
@@ -95,7 +93,8 @@ class Searching:
         Returns
         -------
         float
-            What they cost together [grains]; of whole shares exactly, if below 2^53.
+            What they cost together [grains]; exactly if shares are whole, for sums of whole
+            numbers below 2^53 are exact in double precision.
         """
 
         def some(begin: int, end: int) -> float:
@@ -113,17 +112,17 @@ class Searching:
     def used(self) -> Ints:
         """Return the pairs that the schedules use, each once, ascending."""
         own = self.ways.first_place
-        inside = np.repeat(own[:-1], self.routes.count) + (
-            np.arange(self.routes.count.sum())
-            - np.repeat(np.cumsum(self.routes.count) - self.routes.count, self.routes.count)
+        inside = np.repeat(own[:-1], self.routes.length) + (
+            np.arange(self.routes.length.sum())
+            - np.repeat(np.cumsum(self.routes.length) - self.routes.length, self.routes.length)
         )
         return np.unique(self.pairs[self.routes.pair[inside]])
 
-    def schedules(self) -> tuple[Ints, Ints, Ints]:
+    def schedules(self) -> tuple[NDArray[np.int32], Ints, Ints]:
         """Return the schedules: lanes, departures [ticks], and how many lanes each has."""
-        count = np.maximum(self.routes.count, 0)
+        count = np.maximum(self.routes.length, 0)
         width = int(count.max()) if len(count) else 0
-        lanes = np.zeros((len(count), width), np.int32)
+        lanes = np.zeros((len(count), width), np.int64)
         departs = np.zeros((len(count), width), np.int64)
         told_schedules(self.ways, self.prices, self.routes, self.lane, lanes, departs)
-        return lanes, departs, count
+        return lanes.astype(np.int32), departs, count

@@ -40,7 +40,7 @@ def cuts_of(clock: Clock, buckets: Buckets, searching: Searching) -> Ints:
         As the clock numbers instants, each once, ascending.
     """
     routes = searching.routes
-    room = 2 * int(np.maximum(routes.count, 0).sum())
+    room = 2 * int(np.maximum(routes.length, 0).sum())
     lane, instant = np.empty(room, np.int64), np.empty(room, np.int64)
     count = _cuts(
         searching.ways, searching.prices, routes, searching.lane, buckets.first_member, lane,
@@ -56,9 +56,9 @@ def _cuts(
 ) -> int:  # fmt: skip
     """Write down lanes and instants of cuts, and return how many."""
     found = 0
-    for k in range(len(routes.count)):
+    for k in range(len(routes.length)):
         first = ways.first_place[k]
-        last = first + routes.count[k]
+        last = first + routes.length[k]
         now = ways.earliest[k]
         for at in range(first, last):
             p = routes.pair[at]

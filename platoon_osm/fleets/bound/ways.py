@@ -34,7 +34,7 @@ class Ways(NamedTuple):
     first_place : ndarray of int64, (N + 1,)
         Where the places of each truck begin.
     leaving : ndarray of int64, (places + N,)
-        Where the pairs that leave a place begin: place u of truck k stands at first_place[k] + k + u.
+        Where the pairs that leave a place begin; place u of truck k is at first_place[k] + k + u.
     in_order : ndarray of bool, (N,)
         Whether lanes lead from lower to higher places.
     source, sink : ndarray of int64, (N,)
@@ -113,7 +113,7 @@ def _number_places(
     source: Ints,
     sink: Ints,
 ) -> int:
-    """Number the places of each truck and sort its pairs; return the room used of `leaving`."""
+    """Give places of each truck numbers, sort its pairs, and return the room used of `leaving`."""
     number = np.full(nodes, -1, np.int64)
     inward = np.zeros(nodes, np.int64)
     queue = np.empty(nodes, np.int64)
@@ -206,5 +206,5 @@ def _number_places(
 @compiled
 def _own(number: Ints, queue: Ints, places: int, node: int) -> int:
     """Return the number of a node if it is of this truck: nodes keep numbers of trucks before."""
-    at = number[node]
-    return at if at < places and queue[at] == node else np.int64(-1)
+    at = int(number[node])
+    return at if at < places and queue[at] == node else -1

@@ -1,23 +1,98 @@
-"""The bound on a fleet's costs against all plans, the linear program, and its own shares."""
+"""The bound on a fleet's costs against the best plan, the linear program, and its own shares."""
 
 import numpy as np
 import pytest
-from soak import draws
-from tiny_fleets import (
-    MODELS,
-    all_schedules,
-    cost_under,
-    linear_bound,
-    optimum,
-    tiny_fleet,
-    valid_by_trying,
-)
+from exhaustive import optimum, random_instance
+from soak import chosen, soaked
+from tiny_fleets import all_schedules, cost_under, linear_bound, valid_by_trying
 
-from platoon_osm.errors import ScenarioError
 from platoon_osm.fleets.bound.bound import Bound
 
-LARGEST = (0, 2, 3)
+SEEDS = range(chosen(60, 3000))
 
 
 def never():
     return False
+
+
+def fleet_of(seed, **asked):
+    """Return a tiny fleet of a seed, of any kind that the bound knows."""
+    rng = np.random.default_rng(seed)
+    return random_instance(
+        seed, trucks=int(rng.integers(1, 5)), largest=int(rng.choice([0, 2, 3])),
+        given=bool(rng.integers(2)), **asked,
+    )  # fmt: skip
+
+
+@soaked
+@pytest.mark.parametrize("part", range(4))
+def test_the_bound_is_that_of_the_linear_program(part):
+    for seed in SEEDS[part::4]:
+        fleet = fleet_of(seed)
+        bound = Bound(fleet)
+        started = bound.cost
+        schedules = [all_schedules(fleet, k) for k in range(fleet.trucks)]
+        program = linear_bound(fleet, schedules)
+        best = optimum(fleet).cost
+        bound.improve(best, 1500, never)
+        assert started <= bound.cost <= program * (1 + 1e-9) <= best * (1 + 2e-9), seed
+        assert bound.cost >= program * (1 - 1e-3), seed
+        shares, cost = bound.certified()
+        assert shares.share.dtype == np.int64
+        assert valid_by_trying(fleet, shares), seed
+        assert cost == cost_under(fleet, shares, schedules) <= best, seed
+        # Rounding down takes at most a grain a lane.
+        assert cost >= bound.cost - len(fleet.pair_lane), seed
+
+
+def test_shares_are_valid_at_every_step_and_the_bound_never_falls():
+    for seed in range(20):
+        fleet = fleet_of(seed)
+        bound, before = Bound(fleet), -np.inf
+        best = optimum(fleet).cost
+        for _ in range(12):
+            bound.improve(best, 7, never)
+            assert valid_by_trying(fleet, bound.certified()[0]), seed
+            assert before <= bound.cost <= best
+            before = bound.cost
+
+
+def test_threads_change_nothing():
+    fleet = random_instance(5, trucks=5, nodes=6, given=False)
+    found = []
+    for threads in (1, 2, 4):
+        bound = Bound(fleet, threads)
+        bound.improve(float(fleet.alone_cost.sum()), 300, never)
+        shares, cost = bound.certified()
+        found.append((bound.cost, cost, bound.shares.share.tolist(), shares.share.tolist()))
+    assert found[0] == found[1] == found[2]
+
+
+def test_the_guide_tells_schedules_that_can_be_driven():
+    for seed in range(30):
+        fleet = fleet_of(seed)
+        bound = Bound(fleet)
+        bound.improve(float(fleet.alone_cost.sum()), 50, never)
+        guide = bound.guide
+        assert len(guide.least) == fleet.pairs
+        assert (guide.least >= -fleet.leader_saves[fleet.pair_lane]).all()
+        assert guide.cost.sum() == pytest.approx(bound.cost)
+        for k in range(fleet.trucks):
+            lanes = guide.lanes[k, : guide.count[k]].tolist()
+            departs = guide.departs[k, : guide.count[k]].tolist()
+            told = tuple(zip(lanes, departs, strict=True))
+            assert told in all_schedules(fleet, k), seed
+
+
+def test_it_stops_when_it_is_told_to():
+    fleet = fleet_of(3)
+    bound = Bound(fleet)
+    before = bound.cost
+    bound.improve(float(fleet.alone_cost.sum()), 100, lambda: True)
+    assert bound.cost == before
+
+
+def test_a_fleet_of_trucks_that_never_meet_costs_what_they_cost_alone():
+    for seed in range(10):
+        fleet = random_instance(seed, trucks=1)
+        assert Bound(fleet).certified()[1] == fleet.alone_cost.sum()
