@@ -37,7 +37,7 @@ class Crew(NamedTuple):
         Them.
     inside : ndarray of bool, (N,)
         Whether a truck is one of them.
-    legs, departs, lengths
+    legs, departs, lengths : ndarray of int32, ndarray of int64, ndarray of int64
         Their schedules before, a row each; the last row is for one truck's response.
     """
 
