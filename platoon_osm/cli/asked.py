@@ -15,7 +15,7 @@ from .options import FILE, LIMITER, SectionOption, classes_of, rules_named
 if TYPE_CHECKING:
     from ..planning.scenario.record import Scenario
 
-__all__ = ["asked_options", "asked_scenario"]
+__all__ = ["asked_options", "asked_scenario", "costs_typed", "taken"]
 
 Run = TypeVar("Run", bound=Callable[..., Any])
 
@@ -25,7 +25,7 @@ WHERE = "On which network (before the scenario's)"
 NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = (
     "case", "master", "optimum", "method", "company", "lead", "max_platoon", "patience_min",
-    "access_limit_km", "rules", "task_relief", "robust", "share",
+    "access_limit_km", "rules", "task_relief", "robust", "share", "profile", "close",
 )  # fmt: skip
 
 
@@ -146,29 +146,60 @@ def asked_scenario(scenario: Path | None, given: dict[str, Any]) -> Scenario:
         given["optimum"], preset = given["optimum"] or preset, None
     if sheet is not None and table is None:
         raise ScenarioError("--sheet names a sheet of --trips; give that too")
-    network = _named({"source": given.pop("network")} | _taken(given, NETWORK_KEYS))
-    options = _named(_taken(given, OPTION_KEYS))
+    network = _named({"source": given.pop("network")}) | taken(given, NETWORK_KEYS)
+    options = taken(given, OPTION_KEYS)
     spread = given.pop("delay_spread_min")
     if spread is not None:
         options["delays"] = {"spread_min": spread}
     if not options.get("close"):
         options.pop("close", None)
-    costs = _costs(given.pop("costs"))
+    costs = costs_typed(given.pop("costs"))
     read = None if scenario is None else read_scenario(scenario, table, sheet)
     return changed(
         read, table, sheet, network=network, options=options, preset=preset, costs=costs
     )  # fmt: skip
 
 
-def _taken(given: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
-    return {name: given.pop(name) for name in names}
+def taken(given: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
+    """Take options out of those given.
+
+    Parameters
+    ----------
+    given : dict
+        All options of a verb, None for those that nobody typed.
+    names : tuple of str
+        Which to take out.
+
+    Returns
+    -------
+    dict
+        Those of them that were typed.
+    """
+    return _named({name: given.pop(name) for name in names})
 
 
 def _named(given: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in given.items() if value is not None}
 
 
-def _costs(typed: tuple[str, ...]) -> dict[str, Any]:
+def costs_typed(typed: tuple[str, ...]) -> dict[str, Any]:
+    """Read figures of an objective.
+
+    Parameters
+    ----------
+    typed : tuple of str
+        As "tau=0.5".
+
+    Returns
+    -------
+    dict
+        Values by name.
+
+    Raises
+    ------
+    ScenarioError
+        A text that is no such figure, or a name twice.
+    """
     costs: dict[str, Any] = {}
     for text in typed:
         name, is_told, value = text.partition("=")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.progress import Progress, ProgressColumn
 
-__all__ = ["counted", "steps"]
+__all__ = ["counted", "searched", "steps"]
 
 
 @contextmanager
@@ -62,6 +62,28 @@ def counted(what: str, total: int) -> Iterator[Callable[[int], None]]:
     with _bar(TextColumn(what), BarColumn(), MofNCompleteColumn(), *left) as bar:
         task = bar.add_task("", total=total)
         yield lambda count: bar.update(task, advance=count)
+
+
+@contextmanager
+def searched(what: str) -> Iterator[Callable[[float, str], None]]:
+    """Show how far a search is, and what it has found.
+
+    Parameters
+    ----------
+    what : str
+        What is searched for.
+
+    Yields
+    ------
+    callable
+        Takes which share of its time or rounds it has used, and a text.
+    """
+    from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
+
+    said = TextColumn("{task.fields[said]}")
+    with _bar(TextColumn(what), BarColumn(), TimeElapsedColumn(), said) as bar:
+        task = bar.add_task("", total=1.0, said="")
+        yield lambda share, text: bar.update(task, completed=share, said=text)
 
 
 def _bar(*columns: ProgressColumn) -> Progress:

@@ -47,6 +47,14 @@ def test_every_kind_of_table_gives_the_same_plan(capsys, kind):
     assert planned(*WITHOUT, f"trips.{kind}", "--case", "C") == expected
 
 
+def test_the_vehicle_and_closed_roads_are_options(capsys):
+    plan = planned(*WITHOUT, put(TABLE), "--case", "C", "--profile", "van-3.5t")
+    assert {trip["profile"]["name"] for trip in plan["trips"]} == {"van-3.5t"}
+    plan = planned(*WITHOUT, put(TABLE), "--case", "C", "--close", "A 21", "--close", "A 7")
+    assert len(plan["closed"]) == 2
+    refused(capsys, [*WITHOUT, "trips.csv", "--profile", "sedan"], "sedan")
+
+
 def test_a_table_beside_a_scenario_replaces_its_trips(capsys):
     put("vehicle,origin,destination\nX,Genova,Trieste\n")
     plan = planned("plan", scenario(), "--trips", "trips.csv")

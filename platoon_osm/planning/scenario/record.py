@@ -192,6 +192,26 @@ class Scenario:
         trips = tuple(self.located(net))
         return Problem(net, trips, self.objective(), access=self.access(), **self._rules())
 
+    def unplaced(self, net: RoadNetwork) -> Problem:
+        """Return the same as `problem`, its places as they are written.
+
+        Parameters
+        ----------
+        net : RoadNetwork
+            The network.
+
+        Returns
+        -------
+        Problem
+            For those who find places themselves, and go on where some are not there.
+
+        Raises
+        ------
+        PlatoonError
+            Anything that cannot be asked.
+        """
+        return Problem(net, self.trips, self.objective(), access=self.access(), **self._rules())
+
     def check(self) -> None:
         """Check all that can be checked without the network: costs, options, who is named.
 

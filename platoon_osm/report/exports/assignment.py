@@ -19,7 +19,10 @@ from ...plans.records import Stretch
 from ...shown_text import shown
 from ..document.checks import check_path, check_plan
 
-__all__ = ["CompanyPart", "company_parts", "write_assignment", "write_platoons", "write_unserved"]
+__all__ = [
+    "CompanyPart", "company_parts", "write_assignment", "write_platoons", "write_unserved",
+    "write_vehicles",
+]  # fmt: skip
 
 DIGITS = 6
 """Of numbers; more would say more than a plan knows."""
@@ -136,6 +139,26 @@ def write_platoons(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -
         f"saving_{_unit(plan)}",
     )  # fmt: skip
     write_table(check_path(path), header, _platoons(plan, net), DIGITS)
+
+
+def write_vehicles(plan: Plan, path: str | os.PathLike[str]) -> None:
+    """Write the vehicles of a plan as CSV: the columns of `plan.to_frame()`.
+
+    Parameters
+    ----------
+    plan : Plan
+        What is written.
+    path : path-like
+        Of the file; missing folders are made.
+
+    Raises
+    ------
+    ScenarioError
+        A file that cannot be written.
+    """
+    frame = plan.to_frame("vehicles")
+    columns = [frame[column].tolist() for column in frame.columns]
+    write_table(check_path(path), list(frame.columns), zip(*columns, strict=True), DIGITS)
 
 
 def write_unserved(plan: Plan, path: str | os.PathLike[str]) -> None:

@@ -1,0 +1,211 @@
+"""What to plan for a whole fleet, as it is typed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ..errors import ScenarioError
+from .asked import costs_typed, taken
+from .options import FILE, LIMITER, SectionOption, classes_of
+
+if TYPE_CHECKING:
+    from ..planning.scenario.record import Scenario
+    from ..planning.scenario.trip_tables import FleetTable
+    from ..plans.trip import Trip
+
+__all__ = ["asked_fleet", "fleet_options", "limits_of"]
+
+Run = TypeVar("Run", bound=Callable[..., Any])
+
+WHAT, WHERE, HOW = "What to plan", "On which network", "How to search"
+
+NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
+OPTION_KEYS = ("max_platoon", "patience_min", "access_limit_km", "profile", "close")
+LIMIT_KEYS = ("time_s", "rounds", "seed", "threads", "routes", "per_trip", "min_gain")
+
+
+def fleet_options(verb: Run) -> Run:
+    """Add the options that say what to plan for a fleet, and how.
+
+    Parameters
+    ----------
+    verb : callable
+        What the verb does; it hands them to `asked_fleet` and `limits_of`.
+
+    Returns
+    -------
+    callable
+        The same, with the options.
+    """
+    number, file = "NUMBER", "FILE"
+    options = (
+        _option(WHAT, "--sheet", help="Sheet or layer of the table; else the first."),
+        _option(
+            WHAT, "--max-platoon", type=int, metavar=number,
+            help="Vehicles of the largest platoon; else any.",
+        ),
+        _option(
+            WHAT, "--routes", type=click.Choice(("free", "given")), default="free",
+            help="Whether trucks may leave their cheapest routes for company; else free.",
+        ),
+        _option(
+            WHAT, "--per-trip", type=click.Choice(("many", "one")), default="many",
+            help="How many platoons a trip may have, one after the other; else many.",
+        ),
+        _option(
+            WHAT, "--min-gain", type=float, default=0.0, metavar=number,
+            help="What a platoon has to save, in the unit of costs; else 0.",
+        ),
+        _option(
+            WHAT, "--flexibility", "flexibility_min", type=float, metavar=number,
+            help="Minutes by which a trip that names no latest arrival may take longer than alone.",
+        ),
+        _option(
+            WHAT, "--patience-min", type=float, metavar=number,
+            help="Minutes by which company may move who names no window.",
+        ),
+        _option(
+            WHAT, "--apart", type=FILE, metavar=file,
+            help="CSV of two columns: vehicles that must not drive together.",
+        ),
+        _option(
+            WHAT, "--profile",
+            help="Vehicle of trips that name none: eu-40t, eu-lng, us-80k-lb, van-3.5t, ...",
+        ),
+        _option(
+            WHAT, "--close", multiple=True, metavar="ROAD",
+            help='A road that counts as closed: "way 123", "lon, lat", "A 22"; as often as needed.',
+        ),
+        _option(
+            WHAT, "--access-limit-km", type=float, metavar=number,
+            help="How far from every road a place may be; else 50.",
+        ),
+        _option(WHAT, "--objective", "preset", help="What is to be least: eu, us, fuel, paper."),
+        _option(
+            WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
+            help="A figure of the objective, as fuel_per_l=1.5; as often as needed.",
+        ),
+        _option(WHERE, "--network", required=True, help="A bundled map's name or a file."),
+        _option(
+            WHERE, "--classes", type=classes_of, metavar="TEXT",
+            help="Highway values to load, with commas.",
+        ),
+        _option(WHERE, "--country", help="Whose truck speed limit applies: IT, de, US-CA, ..."),
+        _option(
+            WHERE, *LIMITER, type=float, metavar=number, help="Speed limiter of the trucks [km/h].",
+        ),
+        _option(
+            WHERE, "--infer-links", is_flag=True, default=None,
+            help="Add likely connectors where the map lacks ramps; they are marked inferred.",
+        ),
+        _option(
+            HOW, "--time-limit", "time_s", type=float, metavar=number,
+            help="Seconds to search; else 60, or until --rounds are done.",
+        ),
+        _option(
+            HOW, "--rounds", type=int, metavar=number,
+            help="Rounds to search; alone, the plan is the same on every machine.",
+        ),
+        _option(HOW, "--seed", type=int, default=0, metavar=number, help="Of the draws; else 0."),
+        _option(
+            HOW, "--threads", type=int, metavar=number,
+            help="Cores to use, else all; the plan does not depend on it.",
+        ),
+    )  # fmt: skip
+    for add in reversed(options):
+        verb = add(verb)
+    return verb
+
+
+def _option(section: str, *names: str, **more: Any) -> Callable[[Run], Run]:
+    return click.option(*names, cls=SectionOption, section=section, **more)
+
+
+def asked_fleet(file: Path, table: FleetTable, given: dict[str, Any]) -> Scenario:
+    """Return what to plan, and take the options that say so from those given.
+
+    Parameters
+    ----------
+    file : Path
+        The table of trips.
+    table : FleetTable
+        What it holds.
+    given : dict
+        All options of the verb; those of `fleet_options` that say what to plan are taken out.
+
+    Returns
+    -------
+    Scenario
+        Of all trips that can be read.
+
+    Raises
+    ------
+    ScenarioError
+        A value that is none.
+    """
+    from ..planning.scenario.changes import changed
+    from ..planning.scenario.record import Scenario
+
+    flexibility, preset = given.pop("flexibility_min"), given.pop("preset")
+    network = {"source": given.pop("network"), **taken(given, NETWORK_KEYS)}
+    options = taken(given, OPTION_KEYS)
+    if not options.get("close"):
+        options.pop("close", None)
+    trips = tuple(_flexible(trip, flexibility) for trip in table.trips)
+    if not trips:
+        first = f"; first: {table.unserved[0].reason}" if table.unserved else ""
+        raise ScenarioError(f"{file}: no trip can be read{first}")
+    return changed(
+        Scenario(file, file.stem, {}, trips, files=(file,)),
+        network=network, options=options, preset=preset, costs=costs_typed(given.pop("costs")),
+    )  # fmt: skip
+
+
+def limits_of(table: FleetTable, given: dict[str, Any]) -> Any:
+    """Return the limits of the search, and take the options that say so from those given.
+
+    Parameters
+    ----------
+    table : FleetTable
+        Whose vehicles and carriers they are.
+    given : dict
+        Options of the verb.
+
+    Returns
+    -------
+    Limits
+        For `plan_fleet`.
+
+    Raises
+    ------
+    ScenarioError
+        A value that is none, or a vehicle that is not in the table.
+    """
+    from ..fleets.apart import read_apart
+    from ..fleets.limits import Limits
+
+    limits = {name: given.pop(name) for name in LIMIT_KEYS}
+    if limits["time_s"] is None and limits["rounds"] is None:
+        limits["time_s"] = Limits().time_s
+    apart = given.pop("apart")
+    known = {trip.vehicle for trip in table.trips}
+    unread = {one.vehicle for one in table.unserved} - known
+    pairs = [] if apart is None else read_apart(apart)
+    found = Limits(
+        **limits, carriers=table.carriers, apart=tuple(p for p in pairs if not unread & {*p})
+    )
+    found.check_names(known)
+    return found
+
+
+def _flexible(trip: Trip, minutes: float | None) -> Trip:
+    """Return a trip that names no latest arrival with some flexibility."""
+    told = trip.flexibility_min is not None or trip.latest_arrival is not None
+    if minutes is None or told or trip.earliest_departure is None:
+        return trip
+    return replace(trip, flexibility_min=minutes)
