@@ -51,6 +51,7 @@ if TYPE_CHECKING:
     from .report.charts.figures import write_figures
     from .report.exports.gis import to_geodataframe, write_geopackage
     from .report.exports.tracks import write_csv, write_gpx
+    from .report.fleet_folder import write_fleet_folder
     from .report.pages.comparison import write_comparison
     from .report.pages.flows import write_flows
     from .report.pages.in_languages import write_pages
@@ -125,6 +126,7 @@ _WHERE = {
     "write_curve": "report.charts.curve_figures",
     "write_csv": "report.exports.tracks",
     "write_figures": "report.charts.figures",
+    "write_fleet_folder": "report.fleet_folder",
     "write_flows": "report.pages.flows",
     "write_gpx": "report.exports.tracks",
     "load_network": "sources.load",
@@ -200,6 +202,7 @@ __all__ = [
     "write_csv",
     "write_curve",
     "write_figures",
+    "write_fleet_folder",
     "write_flows",
     "write_geopackage",
     "write_gpx",

@@ -7,7 +7,9 @@ from datetime import datetime
 import pytest
 
 import platoon_osm as po
+from platoon_osm.errors import PlatoonError
 from platoon_osm.plans.fleet import FleetRecord, Unserved
+from platoon_osm.plans.fleet_lines import fleet_lines
 from platoon_osm.report.exports.assignment import (
     company_parts,
     write_assignment,
@@ -92,3 +94,31 @@ def test_who_could_not_be_planned(day, tmp_path):
         {"vehicle": "late", "reason": "late even alone by 5 min"}
     ]
     assert table(lambda path: write_unserved(replace(plan, fleet=None), path), tmp_path) == []
+
+
+def test_the_folder(day, tmp_path):
+    plan, net = day
+    tables = {"assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv"}
+    po.write_fleet_folder(plan, net, tmp_path / "few")
+    assert {path.name for path in (tmp_path / "few").iterdir()} == {*tables, "sheets"}
+    assert len(list((tmp_path / "few" / "sheets").glob("*.html"))) == 3
+    written = po.write_fleet_folder(plan, net, tmp_path / "none", sheets=False)
+    assert {path.name for path in written} == tables
+    (tmp_path / "broken" / "unserved.csv").mkdir(parents=True)
+    with pytest.raises(PlatoonError, match="is a folder"):
+        po.write_fleet_folder(plan, net, tmp_path / "broken", sheets=False)
+    assert [path.name for path in (tmp_path / "broken").iterdir()] == ["unserved.csv"]
+    with pytest.raises(PlatoonError, match="not one of a whole fleet"):
+        po.write_fleet_folder(replace(plan, fleet=None), net, tmp_path / "none")
+
+
+def test_what_a_fleet_comes_to(day):
+    plan, _ = day
+    said = fleet_lines(plan)
+    driven = 3 * 40 + 3 * 40 + 40
+    assert said[0] == (
+        f"3 trips, 2 of them in platoons of up to 2 for {80 / driven:.1%} of all {driven} km"
+    )
+    assert said[1] == "Saves 1.0 l of 9.0, 11.11%; no plan saves more than 1.0"
+    assert said[2].startswith("Gap: 0.000% of the savings; ended after 0.1 s, for no more")
+    assert said[3] == "Trips that could not be planned: 1, 1 of them as: late even alone by 5 min"
