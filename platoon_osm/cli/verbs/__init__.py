@@ -7,7 +7,7 @@ it works, so that help costs nothing.
 __all__ = ["VERBS"]
 
 VERBS = (
-    "demo", "maps", "prepare", "download", "scenario", "plan", "check", "compare", "what-if",
-    "trips", "study", "warmup",
+    "demo", "maps", "prepare", "download", "scenario", "plan", "check", "certify", "compare",
+    "what-if", "trips", "study", "warmup",
 )  # fmt: skip
 """In the order in which the help lists them."""

@@ -1,0 +1,156 @@
+"""Whether the plan beside a certificate is the one that it speaks of.
+
+The same vehicles, on the edges of the network that their lanes are made of, with the same
+companions, at the same instants. What the plan says of saving and bound may be no better than what
+is proved, but for rounding to grains.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...errors import ScenarioError
+from ...plans.plan import Plan
+from ...plans.records import Stretch
+from .companies import Companies
+from .faults import FaultError
+from .told import Told
+
+__all__ = ["check_plan"]
+
+NEAR_S = 2e-3
+"""Instants of plan and schedules may differ by this: drives are rounded up to ticks."""
+
+
+def check_plan(told: Told, companies: Companies, saving: int, bound: int) -> Plan:
+    """Check that the plan is that of the schedules, and claims no more than is proved.
+
+    Parameters
+    ----------
+    told : Told
+        What the file says.
+    companies : Companies
+        Who is together in the schedules.
+    saving, bound : int
+        What is saved, and what no plan can save more than [grains].
+
+    Returns
+    -------
+    Plan
+        The plan.
+
+    Raises
+    ------
+    ScenarioError
+        What stands there is no plan.
+    FaultError
+        It is the plan of something else, or claims more.
+    """
+    plan = Plan.from_dict(told.plan)
+    names = tuple(trip.vehicle for trip in plan.trips)
+    if names != told.vehicles:
+        raise FaultError("the plan is one of other vehicles than the certificate's")
+    if plan.timetable is None:
+        raise FaultError("the plan has no timetable")
+    shift_s = _shift(told, plan)
+    for k in range(told.trucks):
+        _check_edges(told, plan, k)
+        _check_times(told, plan, companies, k, shift_s)
+    _check_claims(told, plan, saving, bound)
+    return plan
+
+
+def _shift(told: Told, plan: Plan) -> float:
+    """Return by how much the timetable's clock is ahead: what most say of their first departure."""
+    assert plan.timetable is not None
+    starts = [
+        int(told.depart[told.first[k]]) * told.tick_s - times.legs[0][0]
+        for k, times in enumerate(plan.timetable.vehicles)
+        if told.first[k] < told.first[k + 1]
+    ]
+    return float(np.median(starts)) if starts else 0.0
+
+
+def _check_edges(told: Told, plan: Plan, k: int) -> None:
+    planned: list[int] = []
+    for stretch in (plan.stretches[one] for one in plan.ways[k]):
+        planned += [-1] if stretch.access is not None else stretch.edges
+    own = told.lane[told.first[k] : told.first[k + 1]].tolist()
+    driven = [
+        edge
+        for lane in own
+        for edge in told.edge[told.first_edge[lane] : told.first_edge[lane + 1]].tolist()
+    ]
+    if _joined(planned) != _joined(driven):
+        raise FaultError(f"the plan leads vehicle {told.vehicles[k]!r} over other roads")
+
+
+def _joined(edges: Sequence[int]) -> list[int]:
+    """Return edges with pieces of one, one after the other, told once."""
+    return [edge for edge, _ in itertools.groupby(edges)]
+
+
+def _check_times(told: Told, plan: Plan, companies: Companies, k: int, shift_s: float) -> None:
+    """Check instants and companies of a truck, at the beginning of every lane and stretch."""
+    assert plan.timetable is not None
+    legs = plan.timetable.vehicles[k].legs
+    stretches = [plan.stretches[one] for one in plan.ways[k]]
+    entries = range(int(told.first[k]), int(told.first[k + 1]))
+    if not entries or len(legs) != len(stretches):
+        raise FaultError(f"the plan has no times of vehicle {told.vehicles[k]!r}")
+    ready = None
+    stretch = 0
+    begun = [leg[0] for leg in legs]
+    for i in entries:
+        lane, depart = int(told.lane[i]), int(told.depart[i])
+        at_s = depart * told.tick_s - shift_s
+        until_s = at_s + int(told.drive[lane]) * told.tick_s
+        while stretch + 1 < len(legs) and begun[stretch + 1] <= at_s + NEAR_S:
+            stretch += 1
+        starts_here = abs(begun[stretch] - at_s) <= NEAR_S
+        inside = begun[stretch] <= at_s + NEAR_S and depart == ready
+        if not starts_here and not (inside and at_s <= legs[stretch][1] + NEAR_S):
+            raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} drive at other times")
+        members = companies.members(int(companies.of_entry[i]))
+        here = stretch
+        while True:
+            _check_company(told, stretches[here], members, k)
+            if here + 1 == len(legs) or begun[here + 1] >= until_s - NEAR_S:
+                break
+            if begun[here + 1] > legs[here][1] + NEAR_S:
+                raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} wait within a lane")
+            here += 1
+        ready = depart + int(told.drive[lane])
+    if stretch != len(legs) - 1 and here != len(legs) - 1:
+        raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} drive on after its schedule")
+    if abs(legs[-1][1] - until_s) > NEAR_S + told.tick_s * len(entries):
+        raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} arrive at another time")
+
+
+def _check_company(told: Told, stretch: Stretch, members: list[int], k: int) -> None:
+    """Check who drives a stretch with a truck; a way beside the road is driven alone."""
+    planned = stretch.company
+    if stretch.access is not None:
+        fits = planned == (k,)
+    elif told.largest == 0 or len(members) <= told.largest:
+        fits = planned == tuple(members)
+    else:
+        fits = len(planned) <= told.largest and set(planned) <= set(members) and k in planned
+    if not fits:
+        raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} drive with others")
+
+
+def _check_claims(told: Told, plan: Plan, saving: int, bound: int) -> None:
+    """Check that the plan's own figures are no better than what is proved."""
+    if plan.fleet is None:
+        raise ScenarioError("certificate: the plan says nothing of its fleet; plan it again")
+    # Each lane's cost was rounded to a grain, of the plan's ways and of those alone.
+    room = float(told.grain) * (len(told.lane) + len(told.route) + 1)
+    room += 1e-9 * plan.fleet.alone_cost
+    if plan.fleet.saving > saving * float(told.grain) + room:
+        raise FaultError("the plan claims to save more than its schedules do")
+    if plan.fleet.bound < min(bound * float(told.grain), plan.fleet.alone_cost) - room:
+        raise FaultError("the plan claims a bound that is not proved")
