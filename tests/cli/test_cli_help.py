@@ -15,8 +15,8 @@ from platoon_osm.sources.readers import READERS
 
 def test_the_verbs_there_are():
     assert set(VERBS) == {
-        "demo", "maps", "prepare", "download", "scenario", "plan", "check", "study", "compare",
-        "what-if", "trips", "warmup",
+        "demo", "maps", "prepare", "download", "scenario", "plan", "check", "certify",
+        "study", "compare", "what-if", "trips", "warmup",
     }  # fmt: skip
 
 

@@ -2,24 +2,49 @@
 
 from __future__ import annotations
 
-import copy
+import json
+from decimal import Decimal
 
 import numpy as np
 import pytest
-from certificates import certificate_of, drawn_shares, empty_shares, file_of, slow_bound
+from certificates import (
+    certificate_of,
+    drawn_shares,
+    empty_shares,
+    file_of,
+    file_with_plan,
+    slow_bound,
+)
 from exhaustive import optimum, random_instance
 
-from platoon_osm.errors import PlatoonError
-from platoon_osm.inspection.certificate.belief import certified
-from platoon_osm.inspection.certificate.faults import FaultError
+from platoon_osm.inspection.certificate.belief import certified, certified_with_plan
+from platoon_osm.inspection.certificate.dropping import needed_pairs
 from platoon_osm.inspection.certificate.told import told_of
 from platoon_osm.inspection.certificate.ways import alone_costs
-from platoon_osm.inspection.certificate.dropping import needed_pairs
 from platoon_osm.inspection.certificate.windows import all_pairs
 
 
 def checked(certificate):
     return certified(told_of(file_of(certificate)))
+
+
+def written(seed, **options):
+    """Return an instance, its best plan, and the file that proves what can be proved of it."""
+    instance = random_instance(seed, **options)
+    best = optimum(instance)
+    shares = drawn_shares(instance, np.random.default_rng(seed))
+    bound = slow_bound(instance, shares)
+    certificate = certificate_of(instance, best.schedules, shares, bound)
+    return instance, best, file_with_plan(certificate, instance, best.schedules)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_a_true_file_is_believed(seed):
+    instance, best, file = written(seed, waiting=None)
+    belief, plan = certified_with_plan(told_of(json.loads(json.dumps(file))))
+    assert belief.saving == (int(instance.alone_cost.sum()) - best.cost) * Decimal("0.01")
+    assert belief.bound >= belief.saving
+    assert plan.fleet.bound == pytest.approx(float(belief.bound))
 
 
 @pytest.mark.parametrize("seed", range(40))
@@ -38,13 +63,14 @@ def test_it_works_out_what_enumeration_does(seed):
 @pytest.mark.parametrize("seed", range(20))
 def test_its_pairs_are_those_of_the_planner(seed):
     instance = random_instance(seed)
-    told = told_of(file_of(certificate_of(instance, optimum(instance).schedules, empty_shares(instance))))
+    schedules = optimum(instance).schedules
+    told = told_of(file_of(certificate_of(instance, schedules, empty_shares(instance))))
     pairs = all_pairs(told)
     if not told.given:
         pairs = needed_pairs(told, pairs, alone_costs(told))
     assert pairs.first.tolist() == instance.first_pair.tolist()
-    order = np.lexsort((pairs.lane, told.tail[pairs.lane], np.repeat(np.arange(told.trucks), np.diff(pairs.first))))
-    assert order.tolist() == list(range(len(order)))
-    for own, theirs in ((pairs.lane, instance.pair_lane), (pairs.opens, instance.opens),
-                        (pairs.closes, instance.closes), (pairs.on_alone, instance.on_alone)):
-        assert own.tolist() == theirs.tolist()
+    for name, column in (
+        ("pair_lane", pairs.lane), ("opens", pairs.opens), ("closes", pairs.closes),
+        ("on_alone", pairs.on_alone),
+    ):  # fmt: skip
+        assert column.tolist() == getattr(instance, name).tolist(), name

@@ -5,9 +5,22 @@ from __future__ import annotations
 import numpy as np
 from exhaustive import Schedule, cheapest_alone, cost_of
 
+from platoon_osm.costs.share import Share
 from platoon_osm.fleets.instance import Instance
+from platoon_osm.plans.fleet import FleetRecord
+from platoon_osm.plans.plan import Plan
+from platoon_osm.plans.proof import Proof
+from platoon_osm.plans.records import NetworkIdentity, PlannedTrip, SoloRoute, Stop, Stretch
+from platoon_osm.plans.timetable import Timetable, VehicleTimes
 
-__all__ = ["certificate_of", "drawn_shares", "empty_shares", "file_of", "slow_bound"]
+__all__ = [
+    "certificate_of",
+    "drawn_shares",
+    "empty_shares",
+    "file_of",
+    "file_with_plan",
+    "slow_bound",
+]
 
 
 def routes_of(instance: Instance) -> list[list[int]]:
@@ -169,3 +182,66 @@ def _price(instance: Instance, shares: dict, row: int | None, lane: int, tick: i
     bucket = max(b for b in range(first, last) if shares["starts"][b] <= tick)
     offset = bucket - shares["first_bucket"][row]
     return min(alone, member + shares["share"][shares["first_share"][row] + offset])
+
+
+def file_with_plan(certificate: dict, instance: Instance, schedules: tuple[Schedule, ...]) -> dict:
+    """Return a fleet file whose plan drives the lanes of an instance as edges of a network."""
+    plan = _plan(certificate, instance, schedules).to_dict()
+    return {**file_of(certificate), "plan": plan}
+
+
+def _plan(certificate: dict, instance: Instance, schedules: tuple[Schedule, ...]) -> Plan:
+    grain = float(certificate["grain"])
+    stop = Stop(0, 0.0, 0.0, "somewhere")
+    trips = tuple(
+        PlannedTrip(
+            name, stop, stop,
+            SoloRoute(tuple(route), 1.0, 1.0, 0.0, float(instance.alone[route].sum()) * grain),
+        )
+        for name, route in zip(certificate["vehicles"], certificate["routes"], strict=True)
+    )  # fmt: skip
+    together: dict[tuple[int, int], list[int]] = {}
+    for k, own in enumerate(schedules):
+        for entry in own:
+            together.setdefault(entry, []).append(k)
+    stretches: list[Stretch] = []
+    number: dict[tuple[int, int, int], int] = {}
+    for (lane, at), trucks in together.items():
+        for company in _parted(trucks, instance.largest):
+            for k in company:
+                number[lane, at, k] = len(stretches)
+            shares = tuple(Share(1.0, 1.0, 0.0, 0.0) for _ in company)
+            stretches.append(Stretch((lane,), company, 1.0, float(instance.drive[lane]), shares))
+    ways = tuple(tuple(number[lane, at, k] for lane, at in own) for k, own in enumerate(schedules))
+    times = tuple(
+        VehicleTimes(
+            certificate["vehicles"][k], float(own[0][1]),
+            tuple((float(at), float(at + instance.drive[lane])) for lane, at in own),
+            float(instance.earliest[k]), float(instance.latest_departure[k]),
+            float(instance.latest[k]),
+        )
+        for k, own in enumerate(schedules)
+    )  # fmt: skip
+    alone, cost = int(instance.alone_cost.sum()), cost_of(instance, schedules)
+    fleet = FleetRecord(
+        saving=(alone - cost) * grain, bound=(alone - certificate["claims"]["bound"]) * grain,
+        alone_cost=alone * grain, seconds=1.0, peak_mb=1.0,
+        routes="given" if instance.given else "free", per_trip="many",
+        max_platoon=instance.largest or None, seed=0, ended="rounds", rounds=1,
+    )  # fmt: skip
+    network = NetworkIdentity("drawn", "", "", "", "", instance.nodes, instance.lanes, "")
+    return Plan(
+        trips, tuple(stretches), ways, (), (), "D", "D", "system", "dijkstra", "euro", {}, network,
+        Proof("heuristic", cost * grain, None), fleet=fleet,
+        timetable=Timetable("2026-01-05T00:00:00", True, times),
+    )  # fmt: skip
+
+
+def _parted(trucks: list[int], largest: int) -> list[tuple[int, ...]]:
+    """Return a company as platoons that are allowed."""
+    if not largest or len(trucks) <= largest:
+        return [tuple(trucks)]
+    if largest == 2:
+        return [tuple(trucks[at : at + 2]) for at in range(0, len(trucks), 2)]
+    count = -(-len(trucks) // largest)
+    return [tuple(trucks[at::count]) for at in range(count)]

@@ -19,7 +19,7 @@ from .told import Told, read_told
 from .ways import alone_costs, check_schedules
 from .windows import all_pairs
 
-__all__ = ["Belief", "certified", "certify"]
+__all__ = ["Belief", "certified", "certified_with_plan", "certify"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,12 +90,33 @@ def certify(path: str | os.PathLike[str]) -> tuple[Belief, Plan]:
     FaultError
         Something that it says is not so.
     """
-    told = read_told(path)
+    return certified_with_plan(read_told(path))
+
+
+def certified_with_plan(told: Told) -> tuple[Belief, Plan]:
+    """Check what a file says, with the plan beside it.
+
+    Parameters
+    ----------
+    told : Told
+        What it says.
+
+    Returns
+    -------
+    belief : Belief
+        What is so.
+    plan : Plan
+        The plan beside it.
+
+    Raises
+    ------
+    ScenarioError
+        What stands beside it is no plan.
+    FaultError
+        Something that it says is not so.
+    """
     belief = certified(told)
-    plan = check_plan(
-        told, companies_of(told), belief.alone - belief.cost, belief.alone - belief.least
-    )
-    return belief, plan
+    return belief, check_plan(told, companies_of(told), belief.alone, belief.cost, belief.least)
 
 
 def certified(told: Told) -> Belief:

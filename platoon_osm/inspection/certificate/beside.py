@@ -25,7 +25,7 @@ NEAR_S = 2e-3
 """Instants of plan and schedules may differ by this: drives are rounded up to ticks."""
 
 
-def check_plan(told: Told, companies: Companies, saving: int, bound: int) -> Plan:
+def check_plan(told: Told, companies: Companies, alone: int, cost: int, least: int) -> Plan:
     """Check that the plan is that of the schedules, and claims no more than is proved.
 
     Parameters
@@ -34,8 +34,8 @@ def check_plan(told: Told, companies: Companies, saving: int, bound: int) -> Pla
         What the file says.
     companies : Companies
         Who is together in the schedules.
-    saving, bound : int
-        What is saved, and what no plan can save more than [grains].
+    alone, cost, least : int
+        What all ways alone cost, what the plan costs, and what no plan undercuts [grains].
 
     Returns
     -------
@@ -58,8 +58,9 @@ def check_plan(told: Told, companies: Companies, saving: int, bound: int) -> Pla
     shift_s = _shift(told, plan)
     for k in range(told.trucks):
         _check_edges(told, plan, k)
+        _check_window(told, plan, k, shift_s)
         _check_times(told, plan, companies, k, shift_s)
-    _check_claims(told, plan, saving, bound)
+    _check_claims(told, plan, alone, cost, least)
     return plan
 
 
@@ -75,17 +76,45 @@ def _shift(told: Told, plan: Plan) -> float:
 
 
 def _check_edges(told: Told, plan: Plan, k: int) -> None:
+    """Check which roads a truck drives, as planned and alone."""
     planned: list[int] = []
     for stretch in (plan.stretches[one] for one in plan.ways[k]):
         planned += [-1] if stretch.access is not None else stretch.edges
-    own = told.lane[told.first[k] : told.first[k + 1]].tolist()
-    driven = [
-        edge
-        for lane in own
-        for edge in told.edge[told.first_edge[lane] : told.first_edge[lane + 1]].tolist()
-    ]
-    if _joined(planned) != _joined(driven):
-        raise FaultError(f"the plan leads vehicle {told.vehicles[k]!r} over other roads")
+    solo = plan.trips[k].alone
+    to_road, from_road = ([-1] if line is not None else [] for line in solo.access)
+    for what, lanes, edges in (
+        ("its way", told.lane[told.first[k] : told.first[k + 1]], planned),
+        (
+            "its way alone", told.route[told.first_route[k] : told.first_route[k + 1]],
+            [*to_road, *solo.edges, *from_road],
+        ),
+    ):  # fmt: skip
+        if _joined(edges) != _joined(_edges_of(told, lanes.tolist())):
+            raise FaultError(
+                f"the plan has vehicle {told.vehicles[k]!r} drive other roads on {what}"
+            )
+
+
+def _edges_of(told: Told, lanes: Sequence[int]) -> list[int]:
+    first = told.first_edge
+    return [edge for one in lanes for edge in told.edge[first[one] : first[one + 1]].tolist()]
+
+
+def _check_window(told: Told, plan: Plan, k: int, shift_s: float) -> None:
+    """Check that a truck's window holds what its trip asked for: else the bound is too tight."""
+    assert plan.timetable is not None
+    times = plan.timetable.vehicles[k]
+    earliest, departs, latest = (
+        int(column[k]) * told.tick_s - shift_s
+        for column in (told.earliest, told.latest_departure, told.latest)
+    )
+    for value, asked, sign in (
+        (earliest, times.earliest_departure_s, 1),
+        (departs, times.latest_departure_s, -1),
+        (latest, times.latest_arrival_s, -1),
+    ):
+        if asked is not None and sign * (value - asked) > NEAR_S:
+            raise FaultError(f"the window of vehicle {told.vehicles[k]!r} is tighter than asked")
 
 
 def _joined(edges: Sequence[int]) -> list[int]:
@@ -143,14 +172,19 @@ def _check_company(told: Told, stretch: Stretch, members: list[int], k: int) -> 
         raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} drive with others")
 
 
-def _check_claims(told: Told, plan: Plan, saving: int, bound: int) -> None:
+def _check_claims(told: Told, plan: Plan, alone: int, cost: int, least: int) -> None:
     """Check that the plan's own figures are no better than what is proved."""
-    if plan.fleet is None:
+    fleet = plan.fleet
+    if fleet is None:
         raise ScenarioError("certificate: the plan says nothing of its fleet; plan it again")
+    unit = float(told.grain)
     # Each lane's cost was rounded to a grain, of the plan's ways and of those alone.
-    room = float(told.grain) * (len(told.lane) + len(told.route) + 1)
-    room += 1e-9 * plan.fleet.alone_cost
-    if plan.fleet.saving > saving * float(told.grain) + room:
+    room = unit * (len(told.lane) + len(told.route) + 1) + 1e-9 * alone * unit
+    if abs(fleet.alone_cost - alone * unit) > room:
+        raise FaultError("the plan claims another cost of driving alone")
+    if fleet.saving > (alone - cost) * unit + room:
         raise FaultError("the plan claims to save more than its schedules do")
-    if plan.fleet.bound < min(bound * float(told.grain), plan.fleet.alone_cost) - room:
+    if fleet.bound < (alone - least) * unit - room:
         raise FaultError("the plan claims a bound that is not proved")
+    if (fleet.max_platoon or 0) != told.largest or (fleet.routes == "given") != told.given:
+        raise FaultError("the plan is one of other platoons or routes than the certificate")
