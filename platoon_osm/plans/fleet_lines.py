@@ -6,7 +6,6 @@ from collections import Counter
 
 from .fleet import ENDED
 from .plan import Plan
-from .proof_sentence import proof_sentence
 
 __all__ = ["fleet_lines"]
 
@@ -43,6 +42,7 @@ def fleet_lines(plan: Plan) -> list[str]:
         count = Counter(one.reason.rpartition(": ")[2].partition(";")[0] for one in record.unserved)
         first, times = count.most_common(1)[0]
         lines.append(
-            f"Trips that could not be planned: {len(record.unserved):,}, {times:,} of them as: {first}"
+            f"Trips that could not be planned: {len(record.unserved):,}, "
+            f"{times:,} of them as: {first}"
         )
-    return [*lines, proof_sentence(plan)]
+    return lines

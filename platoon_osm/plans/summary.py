@@ -11,6 +11,7 @@ from .chance_lines import chance_lines
 from .clock import MENTIONED_S, duration
 from .cost_decimals import cost_decimals
 from .credits import credits_of
+from .fleet_lines import fleet_lines
 from .lateness import NOT_FEASIBLE, NOT_IN_TIME, status_lines
 from .law_lines import law_lines, place_text
 from .lead_lines import lead_lines
@@ -40,6 +41,8 @@ CASE_TITLES = {
 def summary(plan: Plan) -> str:
     """Return the plan as text: who is late, a row a vehicle, totals, points and what is proved.
 
+    Of a whole fleet it tells the totals and what is proved.
+
     Parameters
     ----------
     plan : Plan
@@ -50,7 +53,8 @@ def summary(plan: Plan) -> str:
     str
         Lines of plain text, however many vehicles there are not many more than a screen of them.
     """
-    return "\n".join(line for part in PARTS for line in part(plan))
+    parts = PARTS if plan.fleet is None else FLEET_PARTS
+    return "\n".join(line for part in parts for line in part(plan))
 
 
 def _heading(plan: Plan) -> list[str]:
@@ -287,3 +291,6 @@ PARTS: tuple[Callable[[Plan], list[str]], ...] = (
     _access_legs, _leading, _lead, _proof, _notes, _credits,
 )  # fmt: skip
 """What a summary consists of, in the order in which it is read; each part gives its lines."""
+
+FLEET_PARTS: tuple[Callable[[Plan], list[str]], ...] = (fleet_lines, _proof, _notes, _credits)
+"""The same of a whole fleet, of which single vehicles stand in tables."""

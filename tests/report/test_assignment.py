@@ -10,6 +10,7 @@ import platoon_osm as po
 from platoon_osm.errors import PlatoonError
 from platoon_osm.plans.fleet import FleetRecord, Unserved
 from platoon_osm.plans.fleet_lines import fleet_lines
+from platoon_osm.plans.proof_sentence import proof_sentence
 from platoon_osm.report.exports.assignment import (
     company_parts,
     write_assignment,
@@ -122,3 +123,6 @@ def test_what_a_fleet_comes_to(day):
     assert said[1] == "Saves 1.0 l of 9.0, 11.11%; no plan saves more than 1.0"
     assert said[2].startswith("Gap: 0.000% of the savings; ended after 0.1 s, for no more")
     assert said[3] == "Trips that could not be planned: 1, 1 of them as: late even alone by 5 min"
+    assert plan.summary().startswith("\n".join(said))
+    assert proof_sentence(plan) in plan.summary()
+    assert "=a" not in plan.summary()
