@@ -125,4 +125,4 @@ def test_what_a_fleet_comes_to(day):
     assert said[3] == "Trips that could not be planned: 1, 1 of them as: late even alone by 5 min"
     assert plan.summary().startswith("\n".join(said))
     assert proof_sentence(plan) in plan.summary()
-    assert "=a" not in plan.summary()
+    assert "total" not in plan.summary()
