@@ -5,11 +5,11 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-__all__ = ["ended_by_signals", "held_back"]
+__all__ = ["asked_to_end", "ended_by_signals", "held_back"]
 
 ENDING = tuple(
     getattr(signal, name)
@@ -54,6 +54,37 @@ def held_back() -> Iterator[None]:
             signal.signal(number, handler)
         for number in dict.fromkeys(came):
             signal.raise_signal(number)
+
+
+@contextmanager
+def asked_to_end() -> Iterator[Callable[[], bool]]:
+    """Let the first interrupt of a block ask for its end, which is told when it is convenient.
+
+    A second one is raised as ever. Outside the main thread nobody asks.
+
+    Yields
+    ------
+    callable
+        Whether Ctrl-C was pressed since.
+    """
+    before = signal.getsignal(signal.SIGINT)
+    if not _in_main_thread() or before in (signal.SIG_IGN, None):
+        yield lambda: False
+        return
+    came = False
+
+    def note(number: int, frame: FrameType | None) -> None:
+        nonlocal came
+        del number, frame
+        came = True
+        signal.signal(signal.SIGINT, before)
+
+    signal.signal(signal.SIGINT, note)
+    try:
+        yield lambda: came
+    finally:
+        if not came:
+            signal.signal(signal.SIGINT, before)
 
 
 @contextmanager

@@ -7,6 +7,7 @@ pairs alone, one of an odd company drives by itself.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -98,5 +99,5 @@ def platoons_within(
             bins = [row[at : at + 2] for at in range(0, len(row), 2)]
         else:
             cuts = [len(row) * part // count for part in range(count + 1)]
-            bins = [row[begin:end] for begin, end in zip(cuts, cuts[1:], strict=False)]
+            bins = [row[begin:end] for begin, end in itertools.pairwise(cuts)]
     return [tuple(sorted(own)) for own in bins]

@@ -6,6 +6,7 @@ whole numbers of the search decide only who drives with whom, and when.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import replace
@@ -102,7 +103,7 @@ def _runs(
     cut[1:] |= beside[1:] | beside[:-1]
     pieces = np.concatenate([[0], np.flatnonzero(cut), [len(edges)]]).tolist()
     runs: list[Run] = []
-    for begin, end in zip(pieces, pieces[1:], strict=False):
+    for begin, end in itertools.pairwise(pieces):
         runs += runs_along(edges[begin:end], companies[begin:end])
     starts = np.concatenate([[0], np.cumsum([len(run.edges) for run in runs])])[:-1]
     return runs, at_s[starts].tolist()
