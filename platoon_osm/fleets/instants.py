@@ -1,0 +1,112 @@
+"""The instants that matter: where waiting is free, some best plan enters lanes at no others.
+
+Any plan can be shifted left without parting anybody: each company starts as soon as the last of its
+members is there. So entries lie in the least sets that hold, for every lane, the earliest
+departures of trucks that start at its tail and the arrivals over lanes that end there.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ScenarioError
+from .instance import Instance
+
+__all__ = ["MOST_ENTRIES", "Entries", "entries_of"]
+
+Ints = NDArray[np.int64]
+
+MOST_ENTRIES = 200_000
+"""Beyond this many entries (truck, lane, instant) no exact model is made."""
+
+
+class Entries:
+    """What each truck may do: enter a lane at an instant.
+
+    Attributes
+    ----------
+    truck, lane, at : ndarray of int64, (E,)
+        Sorted by truck, lane and instant.
+    """
+
+    def __init__(self, truck: Ints, lane: Ints, at: Ints) -> None:
+        self.truck, self.lane, self.at = truck, lane, at
+
+    def __len__(self) -> int:
+        return len(self.truck)
+
+
+def entries_of(instance: Instance, most: int = MOST_ENTRIES) -> Entries | None:
+    """Return all entries that matter; None if there are too many.
+
+    Parameters
+    ----------
+    instance : Instance
+        The problem.
+    most : int
+        How many there may be.
+
+    Returns
+    -------
+    Entries or None
+        Those that each truck can reach from its origin, and its destination from.
+
+    Raises
+    ------
+    ScenarioError
+        Waiting has a price, or departures a last moment: then more instants matter.
+    """
+    if instance.waiting:
+        raise ScenarioError("fleet: the exact model takes waiting as free; use the bound instead")
+    by_lane: list[list[int]] = [[] for _ in range(instance.lanes)]
+    for pair, lane in enumerate(instance.pair_lane.tolist()):
+        by_lane[lane].append(pair)
+    opens, closes = instance.opens.tolist(), instance.closes.tolist()
+    out: dict[int, list[int]] = {}
+    for lane, tail in enumerate(instance.tail.tolist()):
+        if by_lane[lane]:
+            out.setdefault(tail, []).append(lane)
+    drive, head = instance.drive.tolist(), instance.head.tolist()
+    seen: list[set[int]] = [set() for _ in range(instance.lanes)]
+    todo = list(
+        zip(instance.origin.tolist(), instance.earliest.tolist(), strict=True)
+    )
+    known = set(todo)
+    count = 0
+    while todo:
+        node, at = todo.pop()
+        for lane in out.get(node, ()):
+            if at in seen[lane]:
+                continue
+            open_to = sum(opens[pair] <= at <= closes[pair] for pair in by_lane[lane])
+            if not open_to:
+                continue
+            seen[lane].add(at)
+            count += open_to
+            if count > most:
+                return None
+            after = (head[lane], at + drive[lane])
+            if after not in known:
+                known.add(after)
+                todo.append(after)
+    instants = [np.array(sorted(one), np.int64) for one in seen]
+    rows = [
+        (truck, lane, instants[lane][begin:end])
+        for truck, lane, begin, end in (
+            (
+                truck, lane,
+                np.searchsorted(instants[lane], opens[pair]),
+                np.searchsorted(instants[lane], closes[pair], side="right"),
+            )
+            for pair, (truck, lane) in enumerate(
+                zip(instance.pair_truck.tolist(), instance.pair_lane.tolist(), strict=True)
+            )
+        )
+    ]  # fmt: skip
+    sizes = [len(at) for *_, at in rows]
+    return Entries(
+        np.repeat([truck for truck, *_ in rows], sizes),
+        np.repeat([lane for _, lane, _ in rows], sizes),
+        np.concatenate([at for *_, at in rows]),
+    )
