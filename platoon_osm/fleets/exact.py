@@ -15,6 +15,7 @@ HiGHS runs in a process of its own (`exact_process`), for a solver that ends bad
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -75,9 +76,7 @@ class _Rows:
         self.low: list[float] = []
         self.high: list[float] = []
 
-    def add(
-        self, columns: list[int], values: list[int], low: float, high: float
-    ) -> None:
+    def add(self, columns: list[int], values: list[int], low: float, high: float) -> None:
         self.row += [len(self.low)] * len(columns)
         self.column += columns
         self.value += values
@@ -174,7 +173,7 @@ def _add_companies(instance: Instance, entries: Entries, columns: _Columns, rows
     new = np.ones(len(order), bool)
     new[1:] = (np.diff(lane) != 0) | (np.diff(at) != 0)
     cuts = [*np.flatnonzero(new).tolist(), len(order)]
-    for begin, end in zip(cuts, cuts[1:], strict=False):
+    for begin, end in itertools.pairwise(cuts):
         if end - begin < 2:
             continue
         who = order[begin:end].tolist()

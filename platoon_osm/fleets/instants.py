@@ -69,9 +69,7 @@ def entries_of(instance: Instance, most: int = MOST_ENTRIES) -> Entries | None:
             out.setdefault(tail, []).append(lane)
     drive, head = instance.drive.tolist(), instance.head.tolist()
     seen: list[set[int]] = [set() for _ in range(instance.lanes)]
-    todo = list(
-        zip(instance.origin.tolist(), instance.earliest.tolist(), strict=True)
-    )
+    todo = list(zip(instance.origin.tolist(), instance.earliest.tolist(), strict=True))
     known = set(todo)
     count = 0
     while todo:

@@ -39,9 +39,7 @@ def matched(trucks: int, offers: Sequence[PairOffer]) -> list[PairOffer]:
 
     graph = rustworkx.PyGraph(multigraph=False)
     graph.add_nodes_from(range(trucks))
-    graph.add_edges_from(
-        [(offer.first, offer.second, place) for place, offer in enumerate(offers)]
-    )
+    graph.add_edges_from([(offer.first, offer.second, place) for place, offer in enumerate(offers)])
     chosen = rustworkx.max_weight_matching(graph, weight_fn=lambda place: offers[place].saving)
     places = sorted(graph.get_edge_data(*pair) for pair in chosen)
     return [offers[place] for place in places]
