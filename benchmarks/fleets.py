@@ -135,7 +135,7 @@ def table(draws: int) -> None:
     """Print a row for each cell: medians over draws, and the largest gap."""
     print(
         "| trucks | routes | largest | limit [s] | saved [%] | bound [%] | gap on savings [%], "
-        "median | largest gap [%] | seconds | memory [MB] |\n|---|---|---|---|---|---|---|---|---|---|"
+        "median | largest gap [%] | seconds | memory [MB] |\n" + "|---" * 10 + "|"
     )
     for trucks, routes, largest, seconds in CELLS:
         found = [

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
         ScenarioError,
     )
     from .fleets.day.draw import draw_trips
+    from .fleets.fleet import plan_fleet
+    from .fleets.limits import Limits
     from .inspection.verdict import inspect_plan
     from .network.access import Access
     from .network.location import Location, Place
@@ -108,7 +110,9 @@ _WHERE = {
     "WhatIfs": "plans.what_if",
     "JointPlan": "plans.plan",
     "Plan": "plans.plan",
+    "Limits": "fleets.limits",
     "Problem": "planning.problem",
+    "plan_fleet": "fleets.fleet",
     "read_trips": "planning.scenario.trip_tables",
     "Proof": "plans.proof",
     "Searches": "search.searches",
@@ -152,6 +156,7 @@ __all__ = [
     "FuelCosts",
     "FuelSaving",
     "JointPlan",
+    "Limits",
     "Location",
     "MapDataError",
     "MoneyCosts",
@@ -187,6 +192,7 @@ __all__ = [
     "money_costs",
     "paper_weights",
     "place_table",
+    "plan_fleet",
     "plan_joint",
     "plan_members",
     "read_trips",

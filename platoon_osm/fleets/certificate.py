@@ -124,7 +124,7 @@ def write_fleet(plan: Plan, certificate: dict[str, Any], path: str | os.PathLike
         draft.write_text(text, encoding="utf-8", newline="\n")
 
 
-def _list(array: Ints) -> list[int]:
+def _list(array: Ints | NDArray[np.float64]) -> list[int]:
     found: list[int] = np.asarray(array, np.int64).tolist()
     return found
 

@@ -10,7 +10,7 @@ x_k <= y_k says whether k is in a company, and x_k <= z, sum x >= 2 z. Every y, 
 the flows between them follow. The second row keeps a truck from being a platoon with itself: for
 two trucks it is z <= y of each. Linear relaxations of both are upper bounds on savings.
 
-HiGHS runs in a process of its own (`exact_process`), for a solver that ends badly should not end us.
+HiGHS runs in a process of its own (`exact_process`): a solver that ends badly should not end us.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ __all__ = ["Exact", "Solver", "exact_fleet"]
 Floats = NDArray[np.float64]
 
 GRACE_S = 20.0
-"""How long after its limit an answer is waited for: large programmes take a while to be read [s]."""
+"""How long after its limit an answer is waited for: large programmes take long to read [s]."""
 
 LARGEST_GAIN = 1e4
 """Gains are scaled to at most this, for HiGHS counts tolerances from 1."""
@@ -214,7 +214,7 @@ def _solved(
         (programme.value.astype(np.float64), (programme.row, programme.column)),
         shape=(rows, columns),
     )
-    model = highspy.HighsLp()
+    model: Any = highspy.HighsLp()
     model.num_col_, model.num_row_ = columns, rows
     model.col_cost_ = -scale * programme.gain
     model.col_lower_, model.col_upper_ = np.zeros(columns), programme.upper
@@ -225,7 +225,7 @@ def _solved(
     if not relaxed:
         kinds = (highspy.HighsVarType.kContinuous, highspy.HighsVarType.kInteger)
         model.integrality_ = [kinds[int(whole)] for whole in programme.whole]
-    solver = highspy.Highs()
+    solver: Any = highspy.Highs()  # type: ignore[no-untyped-call]  # it has no types
     solver.setOptionValue("output_flag", False)
     solver.setOptionValue("time_limit", float(time_s))
     # One thread, so that the same programme has the same answer.

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ..errors import ScenarioError, brief
 from ..interrupts import asked_to_end
 from ..planning.problem import Problem
-from ..plans.fleet import FleetRecord, Moment
+from ..plans.fleet import FleetRecord, Moment, Unserved
 from ..plans.plan import Plan
 from ..plans.proof import Proof
 from .bound.bound import Bound
@@ -50,11 +50,14 @@ CROWDED_COURSE = (
 
 CROWD = 10_000
 
-STEPS = 40
-"""Steps of the bound in a round."""
+STEPS = 100
+"""Steps of the bound in a round; it is evaluated over all pairs after each."""
 
-MOVES_A_TRUCK = 4
-"""Neighbourhoods of the plan in a round, for each truck."""
+MOVES, FEW_MOVES = 4000, 1000
+"""Neighbourhoods of the plan in a round, and with as few trucks."""
+
+COLD = 0.15
+"""The last part of a phase accepts no plan that costs more."""
 
 NOTHING_LEFT = 1e-7
 """A gap below this share of the savings is that of whole grains."""
@@ -96,6 +99,7 @@ def plan_fleet(
     *,
     write_to: str | os.PathLike[str] | None = None,
     on_progress: Callable[[Progress], None] | None = None,
+    unserved: Sequence[Unserved] = (),
 ) -> Plan:
     """Plan who drives with whom in a whole fleet, and tell how much more could be saved at most.
 
@@ -113,6 +117,9 @@ def plan_fleet(
         far is written as the search goes on, so that it is there if the process is killed.
     on_progress : callable, optional
         Told how far it is after each round.
+    unserved : sequence of Unserved, optional
+        Trips that are known to be none, as rows of a table that could not be read; they are listed
+        before those that are found to be.
 
     Returns
     -------
@@ -135,7 +142,7 @@ def plan_fleet(
         raise ScenarioError("fleet: limits name neither time_s nor rounds; give one of them")
     with asked_to_end() as ends:
         course = Course(own, ends)
-        model = modelled(problem, own)
+        model = modelled(problem, own, unserved)
         return _Search(model, own, course, write_to, on_progress).run()
 
 
@@ -183,8 +190,9 @@ class _Search:
                     self.bound.improve(float(self.search.cost), STEPS, stop)
                     still = not self.bound.settled
                 else:
-                    heat = max(0.0, (until - at.share) / max(until - begun, 1e-9))
-                    moves = MOVES_A_TRUCK * self.model.instance.trucks
+                    left = (until - at.share) / max(until - begun, 1e-9)
+                    heat = max(0.0, (left - COLD) / (1 - COLD))
+                    moves = MOVES if self.model.instance.trucks > FEW_MOVES else FEW_MOVES
                     self.search.improve(self.bound.shares, self.bound.guide, moves, heat, stop)
                 at.rounds += 1
                 self._tell()
@@ -206,7 +214,9 @@ class _Search:
         saving = (self.alone - self.search.cost) / unit
         bound = max(saving, (self.alone - self.bound.cost) / unit)
         now = Progress(min(1.0, self.course.share), self.course.seconds, saving, bound)
-        self.history.append(Moment(round(now.seconds, 3), saving, bound))
+        last = self.history[-1] if self.history else None
+        if last is None or saving > last.saving or bound < last.bound:
+            self.history.append(Moment(round(now.seconds, 3), saving, bound))
         if self.on_progress is not None:
             self.on_progress(now)
         spent = self.written_s <= WRITING * now.seconds

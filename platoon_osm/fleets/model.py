@@ -26,6 +26,7 @@ from ..plans.timetable import LATE_S
 from .instance import Instance
 from .lanes import TICK_S, Lanes, grains_per_unit, lanes_of
 from .limits import Limits
+from .served import served
 from .windows import Wanted, paired
 
 __all__ = ["FleetModel", "modelled"]
@@ -67,7 +68,7 @@ class FleetModel:
     unserved: tuple[Unserved, ...]
 
 
-def modelled(problem: Problem, limits: Limits) -> FleetModel:
+def modelled(problem: Problem, limits: Limits, refused: Sequence[Unserved] = ()) -> FleetModel:
     """Return a problem in whole numbers.
 
     Parameters
@@ -76,6 +77,8 @@ def modelled(problem: Problem, limits: Limits) -> FleetModel:
         What is asked.
     limits : Limits
         Who may drive with whom, and on which routes.
+    refused : sequence of Unserved, optional
+        Trips that are known to be none.
 
     Returns
     -------
@@ -89,9 +92,9 @@ def modelled(problem: Problem, limits: Limits) -> FleetModel:
     """
     prices = _checked(problem)
     limits.check_names(trip.vehicle for trip in problem.trips)
-    timed, unserved = _with_times(problem)
-    question, late = _in_time(timed)
-    unserved += late
+    timed, timeless = _with_times(problem)
+    question, others = _in_time(timed)
+    unserved = (*refused, *timeless, *others)
     windows, asked = question.windows, question.asked_windows
     first = first_named(question.problem.trips)
     assert windows is not None
@@ -112,7 +115,7 @@ def modelled(problem: Problem, limits: Limits) -> FleetModel:
         largest=largest, waiting=round(prices.waiting * TICK_S * grains),
     )  # fmt: skip
     return FleetModel(
-        question, first, tuple(asked), lanes, instance, rounds, tuple(routes), tuple(unserved)
+        question, first, tuple(asked), lanes, instance, rounds, tuple(routes), unserved
     )
 
 
@@ -149,7 +152,9 @@ def _with_times(problem: Problem) -> tuple[Problem, list[Unserved]]:
 
 def _in_time(problem: Problem) -> tuple[Question, list[Unserved]]:
     """Return the question of the trips that can be in time alone, and the others."""
-    question = Asked.of(problem).question
+    asked, missing = served(problem)
+    question = asked.question
+    known = question.problem
     late = [
         late_by(own.earliest + alone_s - own.arrival)
         if own.earliest is not None
@@ -161,17 +166,17 @@ def _in_time(problem: Problem) -> tuple[Question, list[Unserved]]:
     unserved = [
         Unserved(trip.vehicle, f"late even alone by {by}; give an earlier departure or a later "
                  "arrival")
-        for trip, by in zip(problem.trips, late, strict=True)
+        for trip, by in zip(known.trips, late, strict=True)
         if by
     ]  # fmt: skip
     if not unserved:
-        return question, []
-    stay = tuple(trip for trip, by in zip(problem.trips, late, strict=True) if not by)
+        return question, list(missing)
+    stay = tuple(trip for trip, by in zip(known.trips, late, strict=True) if not by)
     if not stay:
         raise ScenarioError(
             f"fleet: no trip can be in time; {unserved[0].vehicle!r} is {unserved[0].reason}"
         )
-    return Asked.of(replace(problem, trips=stay)).question, unserved
+    return Asked.of(replace(problem, trips=stay)).question, [*missing, *unserved]
 
 
 def _wanted(

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import heapq
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -187,18 +188,18 @@ def _all_labels(
     latest: Ints,
 ) -> tuple[Ints, Ints, Ints, Ints, Ints, Ints]:
     """Return all labels; those onward count time backward while they are made."""
-    nodes = [np.int64(0) for _ in range(0)]
-    ats = [np.int64(0) for _ in range(0)]
-    costs = [np.int64(0) for _ in range(0)]
-    parents = [np.int64(0) for _ in range(0)]
-    lanes = [np.int64(0) for _ in range(0)]
+    nodes: list[Any] = [np.int64(0) for _ in range(0)]
+    ats: list[Any] = [np.int64(0) for _ in range(0)]
+    costs: list[Any] = [np.int64(0) for _ in range(0)]
+    parents: list[Any] = [np.int64(0) for _ in range(0)]
+    lanes: list[Any] = [np.int64(0) for _ in range(0)]
     first = np.zeros(len(origin) + 1, np.int64)
     for k in range(len(origin)):
         base = len(nodes)
         start = origin[k] if forward else destination[k]
         at = earliest[k] if forward else -latest[k]
         best = {start: np.int64(1 << 60)}
-        heap = [(at, np.int64(0), start, np.int64(-1), np.int64(-1))]
+        heap: list[Any] = [(at, np.int64(0), start, np.int64(-1), np.int64(-1))]
         while len(heap) > 0:
             now, paid, node, parent, lane = heapq.heappop(heap)
             if node in best and paid >= best[node] and len(nodes) > base:
@@ -316,21 +317,21 @@ def _best_pair(
     extra: Ints,
 ) -> tuple[int, Ints, Ints, Ints, Ints]:
     """Return cost, labels before the merge and after the separation, and the lanes between."""
-    lane = [np.int64(0) for _ in range(0)]
-    closed = [np.int64(0) for _ in range(0)]
+    lane: list[Any] = [np.int64(0) for _ in range(0)]
+    closed: list[Any] = [np.int64(0) for _ in range(0)]
     for p in range(first_pair[i], first_pair[i + 1]):
         for q in range(first_pair[j], first_pair[j + 1]):
             same = pair_lane[p] == pair_lane[q]
             if same and max(opens[p], opens[q]) <= min(closes[p], closes[q]):
                 lane.append(pair_lane[p])
                 closed.append(min(closes[p], closes[q]))
-    node = [np.int64(0) for _ in range(0)]
-    parent = [np.int64(0) for _ in range(0)]
-    by = [np.int64(0) for _ in range(0)]
-    entered = [np.int64(0) for _ in range(0)]
-    of_i = [np.int64(0) for _ in range(0)]
-    of_j = [np.int64(0) for _ in range(0)]
-    heap = [(np.int64(0), np.int64(0), np.int64(0), np.int64(0), np.int64(0), np.int64(0),
+    node: list[Any] = [np.int64(0) for _ in range(0)]
+    parent: list[Any] = [np.int64(0) for _ in range(0)]
+    by: list[Any] = [np.int64(0) for _ in range(0)]
+    entered: list[Any] = [np.int64(0) for _ in range(0)]
+    of_i: list[Any] = [np.int64(0) for _ in range(0)]
+    of_j: list[Any] = [np.int64(0) for _ in range(0)]
+    heap: list[Any] = [(np.int64(0), np.int64(0), np.int64(0), np.int64(0), np.int64(0), np.int64(0),
              np.int64(0)) for _ in range(0)]  # fmt: skip
     for x in range(first_there[i], first_there[i + 1]):
         for y in range(first_there[j], first_there[j + 1]):
@@ -343,8 +344,9 @@ def _best_pair(
                 (at, there_cost[x] + there_cost[y], there_node[x], np.int64(-1), np.int64(-1),
                  np.int64(x), np.int64(y)),
             )  # fmt: skip
-    best = np.int64(both)
-    best_label, end_i, end_j = -1, np.int64(-1), np.int64(-1)
+    best: Any = np.int64(both)
+    best_label: Any = np.int64(-1)
+    end_i, end_j = np.int64(-1), np.int64(-1)
     cheapest = {np.int64(-1): np.int64(0)}
     while len(heap) > 0:
         at, paid, here, before, last, x, y = heapq.heappop(heap)
@@ -371,7 +373,7 @@ def _best_pair(
                     left_j, at_j = onward_cost[z], np.int64(z)
             if at_i >= 0 and at_j >= 0 and paid + left_i + left_j < best:
                 best = paid + left_i + left_j
-                best_label, end_i, end_j = own, at_i, at_j
+                best_label, end_i, end_j = np.int64(own), at_i, at_j
         for z in range(len(lane)):
             one = lane[z]
             if tail[one] == here and at <= closed[z]:
@@ -390,7 +392,7 @@ def _best_pair(
     together = np.empty(count, np.int64)
     enters = np.empty(count, np.int64)
     if best_label >= 0:
-        label = np.int64(best_label)
+        label = best_label
         for z in range(count - 1, -1, -1):
             together[z], enters[z] = by[label], entered[label]
             label = parent[label]

@@ -14,15 +14,8 @@ from .records import DutchData, DutchInstance, Published
 from .solving import DutchResult, solved
 
 __all__ = [
-    "Cell",
-    "Run",
-    "cells_of",
-    "kinds_of",
-    "run_all",
-    "table_of",
-    "write_cells",
-    "write_runs",
-]
+    "Cell", "Run", "cells_of", "kinds_of", "run_all", "table_of", "write_cells", "write_runs",
+]  # fmt: skip
 
 FLEXIBILITIES_MIN = (15, 30, 45)
 KINDS = ((3, 0), (2, 0), (2, 1))
@@ -120,7 +113,7 @@ def kinds_of(data: DutchData, sets: Sequence[str], grids: Sequence[float]) -> li
 
 
 def run_all(
-    data: DutchData, asked: Sequence[Ask], done: Callable[[int], None] = lambda count: None
+    data: DutchData, asked: Sequence[Ask], done: Callable[[int], None] | None = None
 ) -> list[Run]:
     """Plan all that is asked.
 
@@ -130,7 +123,7 @@ def run_all(
         The instances.
     asked : sequence of tuple
         As `kinds_of` returns it.
-    done : callable
+    done : callable, optional
         Told 1 after each.
 
     Returns
@@ -146,7 +139,8 @@ def run_all(
                 Run(one.name, len(one.trucks), one.number, flexibility, largest, per_trip, grid,
                     result)
             )  # fmt: skip
-            done(1)
+            if done is not None:
+                done(1)
     return found
 
 
@@ -214,12 +208,12 @@ def table_of(cells: Sequence[Cell], runs: Sequence[Run]) -> str:
     for (name, trucks, flexibility), own in rows.items():
         parts = [name, f"{trucks}", f"{flexibility} min"]
         for kind in KINDS:
-            cell = own.get(kind)
-            parts += ["", "", "", ""] if cell is None else [
-                f"{cell.saving_pct:.2f} %",
-                "" if cell.published is None else f"{cell.published.saving_pct:g} %",
-                f"{cell.platoon_km_pct:.0f} %",
-                f"{cell.worst_gap_pct:.2f} %",
+            found = own.get(kind)
+            parts += ["", "", "", ""] if found is None else [
+                f"{found.saving_pct:.2f} %",
+                "" if found.published is None else f"{found.published.saving_pct:g} %",
+                f"{found.platoon_km_pct:.0f} %",
+                f"{found.worst_gap_pct:.2f} %",
             ]  # fmt: skip
         lines.append("| " + " | ".join(parts) + " |")
     return "\n".join([*lines, "", *_sums(cells, runs)])

@@ -1,8 +1,8 @@
 """The instances from a folder: as tables, or as their authors published them.
 
-Tables are `links.csv`, `instances.csv` and `published.csv`. The published folder has `Link list.csv`
-and, for each set, `ODdata_x_y.npy` and `deptimes_x_y.npy`, y being the number of an instance of x
-trucks; it may lie in a folder `data`. Its savings are not among them.
+Tables are `links.csv`, `instances.csv` and `published.csv`. The published folder has
+`Link list.csv` and, for each set, `ODdata_x_y.npy` and `deptimes_x_y.npy`, y being the number of an
+instance of x trucks; it may lie in a folder `data`. Its savings are not among them.
 """
 
 from __future__ import annotations
