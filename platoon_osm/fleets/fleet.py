@@ -59,8 +59,8 @@ MOVES, FEW_MOVES = 4000, 1000
 COLD = 0.15
 """The last part of a phase accepts no plan that costs more."""
 
-NOTHING_LEFT = 1e-7
-"""A gap below this share of the savings is that of whole grains."""
+NOTHING_LEFT = 1e-5
+"""A gap below this share of the savings is worth no more search."""
 
 WRITING = 0.05
 """At most this share of the time goes into writing what is best so far."""

@@ -24,7 +24,7 @@ MOST_ENTRIES = 200_000
 class Entries:
     """What each truck may do: enter a lane at an instant.
 
-    Attributes
+    Parameters
     ----------
     truck, lane, at : ndarray of int64, (E,)
         Sorted by truck, lane and instant.

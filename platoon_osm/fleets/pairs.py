@@ -331,8 +331,8 @@ def _best_pair(
     entered: list[Any] = [np.int64(0) for _ in range(0)]
     of_i: list[Any] = [np.int64(0) for _ in range(0)]
     of_j: list[Any] = [np.int64(0) for _ in range(0)]
-    heap: list[Any] = [(np.int64(0), np.int64(0), np.int64(0), np.int64(0), np.int64(0), np.int64(0),
-             np.int64(0)) for _ in range(0)]  # fmt: skip
+    none = np.int64(0)
+    heap: list[Any] = [(none, none, none, none, none, none, none) for _ in range(0)]
     for x in range(first_there[i], first_there[i + 1]):
         for y in range(first_there[j], first_there[j + 1]):
             if there_node[x] != there_node[y]:

@@ -17,7 +17,7 @@ from ..kinds import is_number
 __all__ = ["ENDED", "FleetRecord", "Moment", "Unserved"]
 
 ENDED = {
-    "proved": "no more can be saved",
+    "proved": "less than a hundred-thousandth of it more can be saved",
     "settled": "neither plan nor bound moved any more",
     "time": "the time limit was reached",
     "rounds": "all rounds were done",
