@@ -47,9 +47,9 @@ NEIGHBOURS = 20
 """Trucks of a neighbourhood at most, below so many as are large; a few more beyond."""
 
 MARGIN = 0.25
-"""See `margin`; a fifth of it below `LARGE` trucks."""
+"""See `margin`; eight times as wide below `LARGE` trucks."""
 
-HOT = 0.085
+HOT = 0.7
 """The highest temperature, as a part of what a mean trip could save; a tenth below `LARGE`."""
 
 CHUNK = 250
@@ -369,7 +369,7 @@ class FleetSearch:
         instance = self.instance
         keep: Marks | None = None
         if shares is not None and guide is not None and not instance.given and instance.pairs:
-            part = MARGIN * (1.0 if instance.trucks >= LARGE else 0.2)
+            part = MARGIN * (1.0 if instance.trucks >= LARGE else 8.0)
             keep = worth_a_look(instance, guide.least, shares.pairs, part)
             for pairs, count in ((plan, self._count), (self._kept[0], self._kept[2])):
                 if pairs is not None:
