@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from ..errors import PlatoonError
 from .exact import Programme, Ways, programme_of, ways_of
 from .instance import Instance
+from .instants import MOST_ENTRIES
 
 __all__ = ["Exact", "Solver", "exact_fleet"]
 
@@ -28,6 +29,12 @@ Floats = NDArray[np.float64]
 
 GRACE_S = 20.0
 """How long after its limit an answer is waited for: large programmes take long to read [s]."""
+
+NODES = 200
+"""Nodes of the solver's search where its time is not limited."""
+
+MOST_S = 3600.0
+"""Nobody waits longer for these [s]."""
 
 LARGEST_GAIN = 1e4
 """Gains are scaled to at most this, for HiGHS counts tolerances from 1."""
@@ -84,7 +91,7 @@ class Solver:
             self._process, self._ours = None, None
 
     def solve(
-        self, programme: Programme, time_s: float, relaxed: bool = False
+        self, programme: Programme, time_s: float | None, relaxed: bool = False
     ) -> tuple[Floats, float, float] | None:
         """Solve a programme.
 
@@ -92,8 +99,8 @@ class Solver:
         ----------
         programme : Programme
             The model.
-        time_s : float
-            For how long [s].
+        time_s : float or None
+            For how long [s]; None for `NODES` nodes.
         relaxed : bool
             Whether its linear relaxation is solved instead.
 
@@ -115,7 +122,7 @@ class Solver:
             self._begin()
         assert self._ours is not None
         self._ours.send((programme, time_s, relaxed))
-        until = time.monotonic() + time_s + GRACE_S
+        until = time.monotonic() + (MOST_S if time_s is None else time_s) + GRACE_S
         try:
             if not self._ours.poll(max(0.0, until - time.monotonic())):
                 self.close()
@@ -138,17 +145,25 @@ class Solver:
         theirs.close()
 
 
-def exact_fleet(instance: Instance, time_s: float, solver: Solver | None = None) -> Exact | None:
+def exact_fleet(
+    instance: Instance,
+    time_s: float | None,
+    solver: Solver | None = None,
+    most: int = MOST_ENTRIES,
+) -> Exact | None:
     """Solve a fleet's problem by its exact model.
 
     Parameters
     ----------
     instance : Instance
         The problem; waiting must be free.
-    time_s : float
-        For how long [s].
+    time_s : float or None
+        For how long [s]; None for as many nodes of the search as `NODES`, so that the answer is the
+        same on every machine.
     solver : Solver, optional
         One that runs already.
+    most : int
+        How many entries the model may have.
 
     Returns
     -------
@@ -160,7 +175,7 @@ def exact_fleet(instance: Instance, time_s: float, solver: Solver | None = None)
     PlatoonError
         The solver ended badly, or waiting has a price.
     """
-    programme = programme_of(instance)
+    programme = programme_of(instance, most)
     if programme is None:
         return None
     own = solver or Solver()
@@ -203,7 +218,7 @@ def _follow(parent: int) -> None:
 
 
 def _solved(
-    programme: Programme, time_s: float, relaxed: bool
+    programme: Programme, time_s: float | None, relaxed: bool
 ) -> tuple[Floats, float, float] | None:
     import highspy
     from scipy.sparse import csc_array
@@ -227,7 +242,10 @@ def _solved(
         model.integrality_ = [kinds[int(whole)] for whole in programme.whole]
     solver: Any = highspy.Highs()  # type: ignore[no-untyped-call]  # it has no types
     solver.setOptionValue("output_flag", False)
-    solver.setOptionValue("time_limit", float(time_s))
+    if time_s is None:
+        solver.setOptionValue("mip_max_nodes", NODES)
+    else:
+        solver.setOptionValue("time_limit", float(time_s))
     # One thread, so that the same programme has the same answer.
     solver.setOptionValue("threads", 1)
     solver.setOptionValue("mip_rel_gap", 0.0)

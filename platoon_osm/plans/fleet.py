@@ -95,6 +95,9 @@ class FleetRecord:
         Trips that could not be planned; the plan is one of the others.
     conditions : tuple of str
         For which plans the bound holds.
+    exact_bound : float or None
+        What no plan saves more than by the exact model, as its solver says; no certificate proves
+        it. None where it was not solved, or told nothing.
 
     Raises
     ------
@@ -116,9 +119,12 @@ class FleetRecord:
     history: tuple[Moment, ...] = ()
     unserved: tuple[Unserved, ...] = ()
     conditions: tuple[str, ...] = ()
+    exact_bound: float | None = None
 
     def __post_init__(self) -> None:
-        figures = (self.saving, self.bound, self.alone_cost, self.seconds, self.peak_mb)
+        figures = (
+            self.saving, self.bound, self.alone_cost, self.seconds, self.peak_mb, self.most,
+        )  # fmt: skip
         moments = (value for at in self.history for value in (at.seconds, at.saving, at.bound))
         if not all(is_number(value) and math.isfinite(value) for value in (*figures, *moments)):
             raise ScenarioError("plan: the figures of its fleet must be finite numbers; plan again")
@@ -131,13 +137,18 @@ class FleetRecord:
                 raise ScenarioError(
                     f"plan: {label} of its fleet is {brief(value)}; use {', '.join(allowed)}"
                 )
-        if self.saving > self.bound + 1e-9 * max(self.alone_cost, 1.0):
+        if self.saving > self.most + 1e-9 * max(self.alone_cost, 1.0):
             raise ScenarioError("plan: its fleet saves more than the bound allows; plan again")
 
     @property
+    def most(self) -> float:
+        """What no plan saves more than, by the certificate or by the exact model."""
+        return self.bound if self.exact_bound is None else min(self.bound, self.exact_bound)
+
+    @property
     def gap(self) -> float:
-        """By what share of the bound more could be saved at most; 0 if nothing can be saved."""
-        return max(0.0, (self.bound - self.saving) / self.bound) if self.bound > 0 else 0.0
+        """By what share of `most` more could be saved at most; 0 if nothing can be saved."""
+        return max(0.0, (self.most - self.saving) / self.most) if self.most > 0 else 0.0
 
     @property
     def saved_share(self) -> float:

@@ -1,0 +1,262 @@
+"""One search for a fleet's plan, and for what no plan can undercut, in turns.
+
+The bound's shares tell the search what a platoon's price is worth to each truck, and the best plan
+tells the bound how far it may reach. Both take turns, each on all cores: the bound until the shares
+are good, then the plan with them, then the bound with that plan as its aim, then the plan again;
+last of all the bound is worked out anew in whole numbers. Where few instants matter the exact model
+is solved between.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ScenarioError
+from ..plans.fleet import FleetRecord, Moment
+from ..plans.plan import Plan
+from ..plans.proof import Proof
+from .bound.bound import Bound
+from .certificate import certificate_of, write_fleet
+from .conditions import conditions_of
+from .exact import Ways
+from .exact_process import exact_fleet
+from .kept_apart import Apart
+from .limits import Limits
+from .memory import peak_mb
+from .model import FleetModel
+from .one_platoon import one_platoon
+from .plan.search import FleetSearch
+from .progress import Progress
+from .shifting import shifted
+from .stopping import Course
+from .written import plan_of
+
+__all__ = ["FleetRun"]
+
+Ints = NDArray[np.int64]
+
+COURSE = (
+    ("bound", 0.05), ("construct", 0.05), ("bound", 0.15), ("construct", 0.15), ("exact", 0.40),
+    ("bound", 0.40), ("construct", 0.40), ("plan", 0.64), ("bound", 0.74), ("plan", 0.96),
+)  # fmt: skip
+"""Who works until which share of the course."""
+
+CROWDED_COURSE = (
+    ("bound", 0.34), ("construct", 0.34), ("plan", 0.66), ("bound", 0.76), ("plan", 0.96),
+)  # fmt: skip
+"""The same from `CROWD` trucks on, where the first construction is worth waiting for."""
+
+CROWD = 10_000
+
+STEPS = 100
+"""Steps of the bound in a round; it is evaluated over all pairs after each."""
+
+MOVES, FEW_MOVES = 4000, 1000
+"""Neighbourhoods of the plan in a round, and with as few trucks."""
+
+COLD = 0.15
+"""The last part of a phase accepts no plan that costs more."""
+
+NOTHING_LEFT = 1e-5
+"""A gap below this share of the savings is worth no more search."""
+
+SMALL = 60_000
+"""The exact model is tried with at most so many entries of a truck into a lane at an instant."""
+
+WRITING = 0.05
+"""At most this share of the time goes into writing what is best so far."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Exact:
+    """What the exact model told: a plan, its cost, and the least that any has [grains]."""
+
+    ways: Ways
+    cost: int
+    least: int
+
+
+class FleetRun:
+    """One search, its bound, and what is told of them."""
+
+    def __init__(
+        self,
+        model: FleetModel,
+        limits: Limits,
+        course: Course,
+        write_to: str | os.PathLike[str] | None,
+        on_progress: Callable[[Progress], None] | None,
+    ) -> None:
+        self.model, self.limits, self.course = model, limits, course
+        self.write_to, self.on_progress = write_to, on_progress
+        names = [trip.vehicle for trip in model.question.problem.trips]
+        self.bound = Bound(model.instance, threads=limits.cores, seed=limits.seed)
+        self.apart = Apart(names, limits.apart)
+        self.search = FleetSearch(
+            model.instance, threads=limits.cores, seed=limits.seed, apart=self.apart.rows
+        )
+        self.alone = int(model.instance.alone_cost.sum())
+        self.exact: _Exact | None = None
+        self.history: list[Moment] = []
+        self.written_s = 0.0
+        self.written_at = 0.0
+        self.written_cost = self.alone + 1
+
+    def plan(self) -> Plan:
+        """Search to the end of the course and return the plan."""
+        if self.limits.per_trip == "one":
+            return self._finished(self._matched())
+        course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
+        ended = self._follow(course)
+        return self._finished(ended)
+
+    def _matched(self) -> str:
+        """Plan one platoon of two a trip, and raise the bound a little; return why it ended."""
+        if self.apart:
+            raise ScenarioError(
+                "fleet: one platoon a trip is not planned with vehicles that must keep apart; let "
+                "trips have many"
+            )
+        ways, saving = one_platoon(self.model.instance, self.limits.seed)
+        self.exact = _Exact(ways, self.alone - saving, self.alone - saving)
+        self._tell()
+        return "proved"
+
+    def _follow(self, course: tuple[tuple[str, float], ...]) -> str:
+        """Do what the course says; return why it ended."""
+        at = self.course
+        for who, until in course:
+            stop = at.until(until)
+            if who == "construct":
+                self.search.construct(self.bound.shares, self.bound.guide)
+                self._tell()
+                continue
+            if who == "exact":
+                self._try_exact(until)
+                continue
+            begun, still = at.share, True
+            while still and at.share < until and not stop():
+                if self._proved:
+                    return "proved"
+                if who == "bound":
+                    self.bound.improve(float(self.cost), STEPS, stop)
+                    still = not self.bound.settled
+                else:
+                    left = (until - at.share) / max(until - begun, 1e-9)
+                    heat = max(0.0, (left - COLD) / (1 - COLD))
+                    moves = MOVES if self.model.instance.trucks > FEW_MOVES else FEW_MOVES
+                    self.search.improve(self.bound.shares, self.bound.guide, moves, heat, stop)
+                at.rounds += 1
+                self._tell()
+            if at.interrupted:
+                return "interrupted"
+        if self._proved:
+            return "proved"
+        return "time" if self.limits.time_s and at.share >= COURSE[-1][1] else "rounds"
+
+    @property
+    def _proved(self) -> bool:
+        """Whether nothing is left between plan and bound."""
+        return self.cost - self.least <= max(1.0, NOTHING_LEFT * (self.alone - self.least))
+
+    @property
+    def cost(self) -> int:
+        """What the best plan costs [grains]."""
+        if self.exact is None:
+            return self.search.cost
+        if self.limits.per_trip == "one":
+            return self.exact.cost
+        return min(self.search.cost, self.exact.cost)
+
+    @property
+    def least(self) -> float:
+        """What no plan undercuts, by shares or by the exact model [grains]."""
+        return self.bound.cost if self.exact is None else max(self.bound.cost, self.exact.least)
+
+    def _try_exact(self, until: float) -> None:
+        """Solve the exact model, where it is small and plan and bound are not at one yet."""
+        instance = self.model.instance
+        if self._proved or instance.waiting or self.apart or not self._leaves_freely:
+            return
+        left_s = None
+        if self.limits.time_s is not None:
+            left_s = max(1.0, (until - self.course.share) * self.limits.time_s)
+        found = exact_fleet(instance, left_s, most=SMALL)
+        if found is not None:
+            self.exact = _Exact(found.ways, self.alone - found.saving, self.alone - found.bound)
+            self.course.rounds += 1
+            self._tell()
+
+    @property
+    def _leaves_freely(self) -> bool:
+        """Whether no truck has a latest departure that matters."""
+        instance = self.model.instance
+        drive = np.array([int(instance.drive[route].sum()) for route in self.model.routes])
+        return bool((instance.latest_departure + drive >= instance.latest).all())
+
+    def _tell(self) -> None:
+        """Note how far it is, tell whoever wants to know, and write what is best."""
+        unit = self.model.lanes.grains
+        saving = (self.alone - self.cost) / unit
+        bound = max(saving, (self.alone - self.least) / unit)
+        now = Progress(min(1.0, self.course.share), self.course.seconds, saving, bound)
+        last = self.history[-1] if self.history else None
+        if last is None or saving > last.saving or bound < last.bound:
+            self.history.append(Moment(round(now.seconds, 3), saving, bound))
+        if self.on_progress is not None:
+            self.on_progress(now)
+        spent = self.written_s <= WRITING * now.seconds
+        if self.write_to is not None and self.cost < self.written_cost and spent:
+            self._finished("interrupted")
+            self.written_s += self.course.seconds - now.seconds
+            self.written_cost = self.cost
+
+    def _best_ways(self) -> Ways:
+        """Return lanes and instants of the best plan."""
+        if self.exact is not None and (
+            self.limits.per_trip == "one" or self.exact.cost <= self.search.cost
+        ):
+            return self.exact.ways
+        best = self.search.best
+        counts = best.count.tolist()
+        return (
+            [best.lanes[k, :n].astype(np.int64) for k, n in enumerate(counts)],
+            [best.departs[k, :n] for k, n in enumerate(counts)],
+        )
+
+    def _finished(self, ended: str) -> Plan:
+        """Return the plan as it is now, and write it if that is wanted."""
+        model, unit = self.model, self.model.lanes.grains
+        shares, certified = self.bound.certified()
+        lanes, departs = self._best_ways()
+        moved = shifted(model.instance, lanes, departs)
+        if self.limits.per_trip == "many" and self.apart.kept_by((lanes, moved)):
+            departs = moved
+        conditions = conditions_of(model, self.limits)
+        plan = plan_of(model, lanes, departs, Proof("heuristic", 0.0, None), None)
+        cost = sum(share.cost for stretch in plan.stretches for share in stretch.shares)
+        alone = sum(trip.alone.cost for trip in plan.trips)
+        # Costs in grains are rounded lane by lane: that much the bound may be off.
+        saving = alone - cost
+        bound = max(saving, alone - certified / unit)
+        told = None
+        if self.exact is not None and self.exact.least > certified:
+            told = max(saving, alone - self.exact.least / unit)
+        # What is saved is worked out anew edge by edge; costs in grains are rounded lane by lane.
+        record = FleetRecord(
+            saving=saving, bound=bound, alone_cost=alone, seconds=self.course.seconds,
+            peak_mb=peak_mb(), routes=self.limits.routes, per_trip=self.limits.per_trip,
+            max_platoon=model.instance.largest or None, seed=self.limits.seed, ended=ended,
+            rounds=self.course.rounds, history=tuple(self.history), unserved=model.unserved,
+            conditions=conditions, exact_bound=told,
+        )  # fmt: skip
+        plan = replace(plan, fleet=record, proof=Proof.of(cost, alone - record.most, conditions))
+        if self.write_to is not None:
+            certificate = certificate_of(model, shares, lanes, departs, self.cost, certified)
+            write_fleet(plan, certificate, self.write_to)
+        return plan
