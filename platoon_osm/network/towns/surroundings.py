@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -179,9 +179,8 @@ class TownsAround:
             The town; None if there is none.
         """
         table = bundled_towns()
-        rows = [row for row, name in enumerate(table.names()) if fold(name) == folded] or [
-            row for row, names in enumerate(table.further_names()) if folded in names
-        ]
+        first, further = _everywhere()
+        rows = first.get(folded) or further.get(folded)
         return self._town(max(rows, key=lambda row: table.population[row])) if rows else None
 
     def nearest_spellings(self, folded: str) -> list[str]:
@@ -271,3 +270,16 @@ class TownsAround:
             f"{region}, {country}" if region else country,
             frozenset(fold(text) for text in table.lies_in(row)),
         )  # fmt: skip
+
+
+@cache
+def _everywhere() -> tuple[dict[str, list[int]], dict[str, list[int]]]:
+    """Return the rows of the whole table by what towns are called first, and called too."""
+    table = bundled_towns()
+    first: dict[str, list[int]] = {}
+    further: dict[str, list[int]] = {}
+    for row, (name, others) in enumerate(zip(table.names(), table.further_names(), strict=True)):
+        first.setdefault(fold(name), []).append(row)
+        for other in set(others):
+            further.setdefault(other, []).append(row)
+    return first, further

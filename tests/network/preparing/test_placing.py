@@ -11,6 +11,7 @@ from platoon_osm.costs.placed_weights import placed_weights
 from platoon_osm.network.placed import whole_edges
 from platoon_osm.network.preparing.placing import BesideRoad, placing
 from platoon_osm.search.hierarchy.engine import HierarchyEngine
+from platoon_osm.search.hierarchy.preparing import storage
 from platoon_osm.search.hierarchy.preparing.storage import order_with_places, topology_of
 
 
@@ -107,6 +108,35 @@ def test_the_order_of_the_network_below_serves():
 
     graph = csr_array((made.length_m, (made.tail, made.head)), shape=(made.n, made.n))
     sources = [0, made.n - 1, made.n - 3]
+    assert engine.distances(sources) == pytest.approx(dijkstra(graph, indices=sources))
+
+
+@pytest.mark.parametrize("most_last", [0, 1_000])
+def test_many_places_beside_the_road_go_first(monkeypatch, most_last):
+    monkeypatch.setattr(storage, "MOST_LAST", most_last)
+    rng = np.random.default_rng(6)
+    side = 6
+    nodes = [(4_000 * x, 4_000 * y) for x in range(side) for y in range(side)]
+    pairs = [(k, k + 1) for k in range(side * side) if (k + 1) % side]
+    pairs += [(k, k + side) for k in range(side * (side - 1))]
+    net = network(nodes, both_ways(pairs))
+    beside = [
+        BesideRoad(10.0 + k / 100, 45.1, k % 2 == 0, tuple(
+            (int(node), float(away))
+            for node, away in zip(rng.choice(net.n, 4, replace=False), rng.integers(100, 3000, 4))
+        ), 14.0)
+        for k in range(12)
+    ]  # fmt: skip
+    made = placing(net, [], beside).net
+    order = order_with_places(made, topology_of(net).node)
+    assert sorted(order.tolist()) == list(range(made.n))
+    assert (order[:12] >= net.n).all() == (most_last == 0)
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import dijkstra
+
+    graph = csr_array((made.length_m, (made.tail, made.head)), shape=(made.n, made.n))
+    sources = list(range(made.n))
+    engine = HierarchyEngine(made, made.length_m)
     assert engine.distances(sources) == pytest.approx(dijkstra(graph, indices=sources))
 
 

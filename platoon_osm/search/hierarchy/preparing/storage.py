@@ -31,6 +31,9 @@ Ints = NDArray[np.int32]
 FORMAT_VERSION = 3
 log = logging.getLogger(__name__)
 
+MOST_LAST = 256
+"""Of places beside the road that are contracted last: their arcs grow with the square of this."""
+
 
 def topology_of(net: RoadNetwork, threads: int | None = None) -> Topology:
     """Return the hierarchy of a network: kept, else stored beside its file, else built and stored.
@@ -72,7 +75,8 @@ def order_with_places(net: RoadNetwork, below: Ints) -> Ints:
 
     A place inside an edge joins two nodes and nothing else, so it goes first. A place beside the
     road joins several, which would all become neighbours of each other if it went early: it goes
-    last.
+    last. But all that go last become neighbours of each other, so where there are more than
+    `MOST_LAST` of them they go first after all.
 
     Parameters
     ----------
@@ -89,7 +93,10 @@ def order_with_places(net: RoadNetwork, below: Ints) -> Ints:
     assert isinstance(net, PlacedNetwork)
     places = np.arange(len(below), net.n)
     on_road = net.place_edge >= 0
-    return np.concatenate([places[on_road], below, places[~on_road]]).astype(np.int32)
+    beside = places[~on_road]
+    if len(beside) > MOST_LAST:
+        return np.concatenate([places[on_road], beside, below]).astype(np.int32)
+    return np.concatenate([places[on_road], below, beside]).astype(np.int32)
 
 
 def topology_hash(net: RoadNetwork) -> str:
