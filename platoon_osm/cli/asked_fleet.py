@@ -186,7 +186,7 @@ def limits_of(table: FleetTable, given: dict[str, Any]) -> Any:
     ScenarioError
         A value that is none, or a vehicle that is not in the table.
     """
-    from ..fleets.apart import read_apart
+    from ..fleets.apart_table import read_apart
     from ..fleets.limits import Limits
 
     limits = {name: given.pop(name) for name in LIMIT_KEYS}

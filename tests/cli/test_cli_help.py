@@ -16,7 +16,7 @@ from platoon_osm.sources.readers import READERS
 def test_the_verbs_there_are():
     assert set(VERBS) == {
         "demo", "maps", "prepare", "download", "scenario", "plan", "check", "certify",
-        "study", "compare", "what-if", "trips", "warmup",
+        "study", "compare", "what-if", "fleet", "trips", "bench", "warmup",
     }  # fmt: skip
 
 

@@ -8,6 +8,6 @@ __all__ = ["VERBS"]
 
 VERBS = (
     "demo", "maps", "prepare", "download", "scenario", "plan", "check", "certify", "compare",
-    "what-if", "trips", "study", "bench", "warmup",
+    "what-if", "fleet", "trips", "study", "bench", "warmup",
 )  # fmt: skip
 """In the order in which the help lists them."""

@@ -120,13 +120,11 @@ def test_many_places_beside_the_road_go_first(monkeypatch, most_last):
     pairs = [(k, k + 1) for k in range(side * side) if (k + 1) % side]
     pairs += [(k, k + side) for k in range(side * (side - 1))]
     net = network(nodes, both_ways(pairs))
-    beside = [
-        BesideRoad(10.0 + k / 100, 45.1, k % 2 == 0, tuple(
-            (int(node), float(away))
-            for node, away in zip(rng.choice(net.n, 4, replace=False), rng.integers(100, 3000, 4))
-        ), 14.0)
-        for k in range(12)
-    ]  # fmt: skip
+    beside = []
+    for k in range(12):
+        near = rng.choice(net.n, 4, replace=False).tolist()
+        ways = tuple((node, float(rng.integers(100, 3000))) for node in near)
+        beside.append(BesideRoad(10.0 + k / 100, 45.1, k % 2 == 0, ways, 14.0))
     made = placing(net, [], beside).net
     order = order_with_places(made, topology_of(net).node)
     assert sorted(order.tolist()) == list(range(made.n))

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from platoon_osm.errors import PlatoonError
-from platoon_osm.fleets.apart import read_apart
+from platoon_osm.fleets.apart_table import read_apart
 
 
 @pytest.mark.parametrize(
