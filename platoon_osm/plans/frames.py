@@ -7,6 +7,7 @@ from datetime import timedelta
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ScenarioError, brief
+from .convoys import convoys_of
 from .law_lines import place_text
 from .money_frames import MONEY_FRAMES
 from .paid import paid
@@ -35,8 +36,9 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
         "vehicles": one row for each vehicle; "stretches": for each vehicle on each stretch of one
         company; "points": for each start, merge, separation and destination; "positions": for each
         vehicle and position in a company; "timetable": for each vehicle on each stretch, with its
-        times; "pauses": for each time that a vehicle stands on its way; "bill": for each vehicle
-        and what it pays for; "gain": for each vehicle and its share; "chances": for each merge.
+        times; "pauses": for each time that a vehicle stands on its way; "platoons": for each
+        platoon, from where it forms to where it parts; "bill": for each vehicle and what it pays
+        for; "gain": for each vehicle and its share; "chances": for each merge.
 
     Returns
     -------
@@ -59,7 +61,15 @@ def to_frame(plan: Plan, what: str = "vehicles") -> pandas.DataFrame:
     if what in MONEY_FRAMES and getattr(plan, what) is None:
         raise ScenarioError(f"frame: the plan has no {what}; {NEEDED[what]}")
     rows = list(FRAMES[what](plan))
-    return pd.DataFrame(rows, columns=None if rows else TIMED.get(what))
+    return pd.DataFrame(rows, columns=None if rows else _columns(plan, what))
+
+
+def _columns(plan: Plan, what: str) -> list[str] | None:
+    """Return the columns of a table that may have no rows."""
+    if what != "platoons":
+        return TIMED.get(what)
+    times = ["forms", "parts"] if plan.timetable is not None else []
+    return [*PLATOONS, *times, "road_km", "vehicle_km", f"saving_{_cost(plan)}"]
 
 
 def _cost(plan: Plan) -> str:
@@ -203,6 +213,31 @@ def _pauses(plan: Plan) -> Iterator[Row]:
             }
 
 
+def _platoons(plan: Plan) -> Iterator[Row]:
+    unit = _cost(plan)
+    clock = plan.timetable.clock.start if plan.timetable is not None else None
+    for number, one in enumerate(convoys_of(plan), 1):
+        row: Row = {
+            "platoon": number,
+            "vehicles": ", ".join(plan.trips[vehicle].vehicle for vehicle in one.vehicles),
+            "size": len(one.vehicles),
+            "largest_company": one.largest,
+            "forms_at": one.forms,
+            "parts_at": one.parts,
+        }
+        if clock is not None and one.begins_s is not None and one.ends_s is not None:
+            row["forms"] = clock + timedelta(seconds=one.begins_s)
+            row["parts"] = clock + timedelta(seconds=one.ends_s)
+        yield {
+            **row,
+            "road_km": one.road_m / 1000,
+            "vehicle_km": one.vehicle_m / 1000,
+            f"saving_{unit}": one.saving,
+        }
+
+
+PLATOONS = ("platoon", "vehicles", "size", "largest_company", "forms_at", "parts_at")
+
 TIMED = {
     "timetable": None,
     "pauses": [
@@ -226,6 +261,7 @@ FRAMES = {
     "positions": _positions,
     "timetable": _timetable,
     "pauses": _pauses,
+    "platoons": _platoons,
     **MONEY_FRAMES,
 }
 """What a plan can be shown as, by name."""

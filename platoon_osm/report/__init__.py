@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .exports.gis import to_geodataframe, write_geopackage
     from .exports.tracks import write_csv, write_gpx
     from .pages.comparison import write_comparison
+    from .pages.fleet import write_fleet_html
     from .pages.flows import write_flows
     from .pages.in_languages import write_pages
     from .pages.page import explore, plan_map, write_html
@@ -35,6 +36,7 @@ _WHERE = {
     "comparison_document": "document.side_by_side",
     "write_comparison": "pages.comparison",
     "flow_document": "document.flows",
+    "write_fleet_html": "pages.fleet",
     "write_flows": "pages.flows",
     "explore": "pages.page",
     "plan_map": "pages.page",
@@ -57,6 +59,7 @@ __all__ = [
     "write_comparison",
     "write_csv",
     "write_figures",
+    "write_fleet_html",
     "write_flows",
     "write_geopackage",
     "write_gpx",

@@ -75,7 +75,7 @@ def test_frames_of_any_plan(problem):
         if what in MONEY_FRAMES and getattr(plan, what) is None:
             continue
         if what not in TIMED or plan.timetable is not None:
-            least = 0 if what == "pauses" else len(trips)
+            least = 0 if what in ("pauses", "platoons") else len(trips)
             assert len(plan.to_frame(what)) >= least
     assert plan.to_frame()[f"cost_{plan.unit.replace('m', 'm_eq')}"].sum() == pytest.approx(
         plan.joint_cost

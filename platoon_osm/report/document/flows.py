@@ -22,7 +22,7 @@ from .as_json import as_json
 from .document import document_of
 from .model import Document
 
-__all__ = ["Flow", "FlowDocument", "Histogram", "flow_document", "flow_document_of"]
+__all__ = ["Flow", "FlowDocument", "Histogram", "flow_document", "flow_document_of", "histogram_of"]
 
 FLOWS_VERSION = 1
 
@@ -167,7 +167,7 @@ def flow_document_of(plan: Plan, net: RoadNetwork, *, title: str | None = None) 
         document=document,
         flows=flows,
         most=max((flow.vehicles for flow in flows), default=0),
-        histogram=_histogram([vehicle.saving for vehicle in document.vehicles]),
+        histogram=histogram_of([vehicle.saving for vehicle in document.vehicles]),
     )
 
 
@@ -186,8 +186,19 @@ def _flows(plan: Plan, net: RoadNetwork) -> Iterator[Flow]:
         yield Flow(vehicles, float(net.length_m[here].sum()), Lines.rounded(lines, ROUTE_STEPS))
 
 
-def _histogram(savings: Sequence[float]) -> Histogram:
-    """Return how many vehicles save what share: bins of a round width, and the middle vehicle."""
+def histogram_of(savings: Sequence[float]) -> Histogram:
+    """Return how many vehicles save what share: bins of a round width, and the middle vehicle.
+
+    Parameters
+    ----------
+    savings : sequence of float
+        By what share each vehicle pays less than alone.
+
+    Returns
+    -------
+    Histogram
+        Of all of them.
+    """
     low, high = min(0.0, *savings, 0.0), max(0.0, *savings, 0.0)
     step = round_step((high - low) / BINS) if high > low else EMPTY_STEP
     # Shares that are zero but for rounding belong to no gain and no loss.

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..document.model import Document
+from ..document.surroundings import Surroundings
 from ..drawing.basemap import BASEMAP_STEPS
 from ..drawing.lines import Lines
 from ..ground.clipping import Frame, cut_lines, cut_ring
@@ -34,12 +35,12 @@ MOST_DOTS = 80
 """Of each rank."""
 
 
-def ground_piece(document: Document, view: MapView, beyond: float = EDGE) -> Piece:
+def ground_piece(document: Document | Surroundings, view: MapView, beyond: float = EDGE) -> Piece:
     """Return what lies under everything else on a still map, over all of it.
 
     Parameters
     ----------
-    document : Document
+    document : Document or Surroundings
         Whose ground is drawn.
     view : MapView
         The part of the world drawn.
@@ -126,12 +127,12 @@ def _numbers(values: Iterable[int]) -> str:
     return "".join(f"{value}" if value < 0 else f" {value}" for value in values).lstrip()
 
 
-def town_dots(document: Document, view: MapView) -> Tree:
+def town_dots(document: Document | Surroundings, view: MapView) -> Tree:
     """Return the dots of the most important towns in view.
 
     Parameters
     ----------
-    document : Document
+    document : Document or Surroundings
         Whose towns they are.
     view : MapView
         The part of the world drawn.

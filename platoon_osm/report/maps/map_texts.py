@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from ..document.model import Document
+from ..document.surroundings import Surroundings
 from ..drawing.crowd import MANY_EVENTS
 from ..drawing.lines import Point
 from ..language.speech import say
@@ -176,13 +177,13 @@ def _around(
 
 
 def placed_names(
-    document: Document, places: Sequence[Point], cover: Cover, scale: float = 1.0
+    document: Document | Surroundings, places: Sequence[Point], cover: Cover, scale: float = 1.0
 ) -> Iterator[tuple[str, Box]]:
     """Yield the names of towns that find room.
 
     Parameters
     ----------
-    document : Document
+    document : Document or Surroundings
         Whose towns they are.
     places : sequence of tuple of float
         Where they are, in pixels.

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..document.model import Document
+from ..document.surroundings import Surroundings
 from ..drawing.basemap import BASEMAP_STEPS
 from ..drawing.lines import Line, Point
 
@@ -77,7 +78,6 @@ class MapView:
         heights: tuple[float, float] = (LEAST_HEIGHT, MOST_HEIGHT),
         margin: float = MARGIN,
     ) -> None:
-        self.width = width
         stops = [stop for document in documents for stop in _stops(document)]
         points = [
             mercator(*at)
@@ -85,7 +85,50 @@ class MapView:
             for line in _plan_lines(document)
             for at in line.degrees()
         ]
-        xs, ys = np.array(points + [mercator(*stop) for stop in stops]).T
+        points += [mercator(*stop) for stop in stops]
+        self._fit(points, float(np.mean([lat for _, lat in stops])), width, heights, margin)
+
+    @classmethod
+    def around(
+        cls,
+        lonlat: Sequence[Point],
+        width: float = WIDTH,
+        heights: tuple[float, float] = (LEAST_HEIGHT, MOST_HEIGHT),
+        margin: float = MARGIN,
+    ) -> MapView:
+        """Return the part of the world around some points.
+
+        Parameters
+        ----------
+        lonlat : sequence of tuple of float
+            Longitude and latitude of each [deg].
+        width : float
+            Of the drawing in pixels.
+        heights : tuple of float
+            Its least and greatest height.
+        margin : float
+            Kept free around the points.
+
+        Returns
+        -------
+        MapView
+            In which all of them lie.
+        """
+        view = cls.__new__(cls)
+        latitude = float(np.mean([lat for _, lat in lonlat]))
+        view._fit([mercator(*at) for at in lonlat], latitude, width, heights, margin)
+        return view
+
+    def _fit(
+        self,
+        points: Sequence[Point],
+        latitude: float,
+        width: float,
+        heights: tuple[float, float],
+        margin: float,
+    ) -> None:
+        self.width = width
+        xs, ys = np.array(points).T
         # A plan of one place still gets a drawing some 10 km wide.
         span_x, span_y = max(float(np.ptp(xs)), 0.1), max(float(np.ptp(ys)), 0.05)
         room = width - 2 * margin
@@ -94,7 +137,7 @@ class MapView:
         self.height = float(round(min(max(tall, heights[0]), heights[1])))
         self._x = width / 2 - self.per_degree * float(xs.min() + xs.max()) / 2
         self._y = self.height / 2 - self.per_degree * float(ys.min() + ys.max()) / 2
-        self.latitude = float(np.mean([lat for _, lat in stops]))
+        self.latitude = latitude
         degree_m = 111_320 * math.cos(math.radians(self.latitude))
         self.metres_per_pixel = degree_m / max(self.per_degree, 1e-9)
 
@@ -147,11 +190,25 @@ class MapView:
             events=[self.at(event.lon, event.lat) for event in document.events],
             origins=[self.at(one.origin.lon, one.origin.lat) for one in vehicles],
             destinations=[self.at(one.destination.lon, one.destination.lat) for one in vehicles],
-            towns=[
-                self.at(lon / BASEMAP_STEPS, lat / BASEMAP_STEPS)
-                for lon, lat, _, _ in document.towns
-            ],
+            towns=self.towns(document),
         )
+
+    def towns(self, around: Document | Surroundings) -> list[Point]:
+        """Return where towns lie.
+
+        Parameters
+        ----------
+        around : Document or Surroundings
+            Whose towns they are.
+
+        Returns
+        -------
+        list of tuple of float
+            Their pixels.
+        """
+        return [
+            self.at(lon / BASEMAP_STEPS, lat / BASEMAP_STEPS) for lon, lat, _, _ in around.towns
+        ]
 
 
 def _plan_lines(document: Document) -> Iterator[Line]:

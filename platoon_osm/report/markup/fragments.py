@@ -28,6 +28,7 @@ __all__ = [
     "Tree",
     "asset",
     "compact_asset",
+    "page_data",
     "page_texts",
     "written",
     "written_page",
@@ -46,6 +47,7 @@ FRAGMENT_FILES = (
     "sheets.html",
     "notebook.html",
     "what_if.html",
+    "fleet.html",
 )
 
 _FRAGMENT = re.compile(r"^<!-- fragment: ([\w-]+)[^>]*-->\n", re.MULTILINE)
@@ -194,6 +196,22 @@ def page_texts() -> Markup:
     """
     language = spoken()
     data = {"language": language.code, "clock": language.clock, "texts": language.of_script}
+    return Markup(json_for_html(data))
+
+
+def page_data(data: object) -> Markup:
+    """Return what the script of a page works on.
+
+    Parameters
+    ----------
+    data : dict, list, str, float, int, bool or None
+        Plain JSON types.
+
+    Returns
+    -------
+    Markup
+        JSON that cannot leave its element.
+    """
     return Markup(json_for_html(data))
 
 

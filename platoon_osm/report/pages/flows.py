@@ -27,7 +27,7 @@ from ..markup.quantities import gain_or_loss, percent, true_minus
 from ..markup.still_page import PAGE_STYLES, still_page
 from .page_pieces import about, credit_lines, heading, late_mark, opening, unit_note
 
-__all__ = ["CLASSES", "flow_class", "write_flows"]
+__all__ = ["CLASSES", "flow_class", "histogram_piece", "write_flows"]
 
 CLASSES = len(FLOWS)
 THINNEST, WIDEST = 1.8, 9.0
@@ -91,7 +91,7 @@ def _page(found: FlowDocument) -> str:
             "credits": credit_lines(document),
             "heading": heading(document),
             # Where nobody drives in company, nobody saves: there is nothing to list.
-            "histogram": _histogram(found.histogram) if document.platoons else NOTHING,
+            "histogram": histogram_piece(found.histogram) if document.platoons else NOTHING,
             "platoons": Piece(
                 "flows-list",
                 {
@@ -302,7 +302,19 @@ def _platoons(document: Document) -> Tree:
     return tuple(rows)
 
 
-def _histogram(found: Histogram) -> Piece:
+def histogram_piece(found: Histogram) -> Piece:
+    """Return how many vehicles save what share, as a drawing.
+
+    Parameters
+    ----------
+    found : Histogram
+        Of the document.
+
+    Returns
+    -------
+    Piece
+        A section of the page.
+    """
     counts, step, first = found.counts, found.step, found.first
     most = max(counts)
     width = (RIGHT - LEFT) / len(counts)

@@ -1,0 +1,224 @@
+"""The page of a whole fleet: what it says, what it weighs, and what names may do to it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hostile_names import HOSTILE
+from line_fleets import ROAD_M, line_fleet
+
+from platoon_osm.errors import ScenarioError
+from platoon_osm.network.road_network import RoadNetwork
+from platoon_osm.plans.convoys import convoys_of
+from platoon_osm.plans.plan import Plan
+from platoon_osm.report import write_fleet_html
+from platoon_osm.report.document.corridor import corridor_of
+from platoon_osm.report.document.fleet import LISTED, fleet_document_of
+from platoon_osm.report.language.speech import speaking
+
+Visit = Callable[..., Any]
+
+browser = pytest.mark.browser
+
+
+@pytest.fixture(scope="module")
+def fleet() -> tuple[Plan, RoadNetwork]:
+    plan, net, _ = line_fleet(1, 160, 8)
+    return plan, net
+
+
+@pytest.fixture(scope="module")
+def page_file(fleet: tuple[Plan, RoadNetwork], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("fleet") / "fleet.html"
+    write_fleet_html(*fleet, path)
+    return path
+
+
+def test_the_head_tells_saving_bound_and_gap(page_file: Path) -> None:
+    text = page_file.read_text("utf-8")
+    figures = re.findall(r"<strong>(.*?)</strong> <span>(.*?)</span>", text)
+    told = {label.split(",")[0]: figure for figure, label in figures}
+    assert told["trucks planned"] == "160"
+    assert told["trips not planned"] == "2"
+    assert told["gap: what may be missing of that"] == "16.7\u202f%"
+    saved, most = (float(told[key].split("\u202f")[0]) for key in ("saved", "can be saved at most"))
+    assert most == pytest.approx(1.2 * saved, abs=0.02)
+    assert "at its time limit" in text
+    assert "no platoon has more than 3 vehicles" in text
+    assert "U1" in text
+    assert "no route" in text
+
+
+def test_traffic_counts_every_vehicle_and_who_is_in_company(
+    fleet: tuple[Plan, RoadNetwork],
+) -> None:
+    plan, net = fleet
+    found = fleet_document_of(plan, net, None, None)
+    every, together = np.zeros(net.m), np.zeros(net.m)
+    for vehicle, way in enumerate(plan.ways):
+        for k in way:
+            stretch = plan.stretches[k]
+            assert vehicle in stretch.vehicles
+            every[list(stretch.edges)] += 1
+            together[list(stretch.edges)] += len(stretch.vehicles) > 1
+    assert found.most == every.max()
+    assert sum(len(one.lines) for one in found.traffic) <= net.m
+    for one in found.traffic:
+        inside = (every >= one.low) & (every <= one.high)
+        assert inside.any()
+        assert 0 < one.low <= one.high
+    assert max(one.high for one in found.traffic) == every.max()
+    shares = {int(np.ceil(4 * share)) for share in together / every}
+    assert {one.share for one in found.traffic} == shares
+
+
+def test_a_corridor_is_driven_at_the_pace_of_its_stretches(
+    fleet: tuple[Plan, RoadNetwork],
+) -> None:
+    plan, net = fleet
+    found = corridor_of(plan, net, ("N2", "N5"))
+    assert found is not None
+    assert found.length_m == 3 * ROAD_M
+    assert [name for _, name in found.places] == ["N2", "N3", "N4", "N5"]
+    assert plan.timetable is not None
+    wanted = sorted(
+        (stretch.edges[0] - 2, len(stretch.vehicles), *plan.timetable.vehicles[who].legs[leg])
+        for k, stretch in enumerate(plan.stretches)
+        if 2 <= stretch.edges[0] < 5
+        for who, leg in [(stretch.vehicles[0], plan.ways[stretch.vehicles[0]].index(k))]
+    )
+    drawn = sorted(
+        (round(one.begin_m / ROAD_M), one.vehicles, one.begin_s, one.end_s) for one in found.runs
+    )
+    np.testing.assert_allclose(drawn, wanted)
+    busiest = corridor_of(plan, net)
+    assert busiest is not None
+    assert busiest.length_m >= 3 * ROAD_M
+    with pytest.raises(ScenarioError, match="nobody drives from 'N5' to 'N2'"):
+        corridor_of(plan, net, ("N5", "N2"))
+
+
+def test_without_times_company_or_history(tmp_path: Path) -> None:
+    plan, net, _ = line_fleet(1, 20, 4)
+    assert plan.fleet is not None
+    bare = replace(plan, timetable=None, fleet=replace(plan.fleet, history=(), unserved=()))
+    write_fleet_html(bare, net, tmp_path / "bare.html", title="Bare")
+    assert '<h1 title="Bare">' in (tmp_path / "bare.html").read_text("utf-8")
+    with pytest.raises(ScenarioError, match="no fleet's plan"):
+        write_fleet_html(replace(plan, fleet=None), net, tmp_path / "none.html")
+    alone, net, _ = line_fleet(0, 1, 3)
+    write_fleet_html(alone, net, tmp_path / "alone.html")
+    text = (tmp_path / "alone.html").read_text("utf-8")
+    assert "Nobody drives in a platoon." in text
+    assert "<script" not in text
+
+
+@pytest.mark.parametrize("language", ["de", "it"])
+def test_nothing_is_left_in_english(
+    language: str, fleet: tuple[Plan, RoadNetwork], tmp_path: Path
+) -> None:
+    write_fleet_html(*fleet, tmp_path / "page.html", language=language)
+    text = re.sub(r"<style>.*?</style>|<script.*?</script>", "", (tmp_path / "page.html").read_text(
+        "utf-8"), flags=re.DOTALL)  # fmt: skip
+    for word in ("saved", "waiting", "platoon has", "trucks", "bound", "together", "missing"):
+        assert not re.search(rf"\b{word}\b", text), word
+    with speaking(language):
+        assert f'lang="{language}"' in text
+
+
+def elements(text: str) -> set[str]:
+    return set(re.findall(r"<(/?[a-zA-Z][\w-]*)", text))
+
+
+def test_names_stay_names(tmp_path: Path) -> None:
+    plan, net, _ = line_fleet(1, 24, 4)
+    write_fleet_html(plan, net, tmp_path / "plain.html")
+    plain = elements((tmp_path / "plain.html").read_text("utf-8"))
+    for name in HOSTILE[::6]:
+        plan, net, _ = line_fleet(1, 24, 4, lambda text, name=name: f"{text} {name}")
+        write_fleet_html(plan, net, tmp_path / "hostile.html", title=name)
+        assert elements((tmp_path / "hostile.html").read_text("utf-8")) <= plain, name
+
+
+@browser
+def test_hostile_names_run_nowhere(visit: Visit, tmp_path: Path) -> None:
+    plan, net, _ = line_fleet(
+        1, 60, 4, lambda text: f"{text} {HOSTILE[len(text) * 7 % len(HOSTILE)]} {HOSTILE[0]}"
+    )
+    write_fleet_html(plan, net, tmp_path / "fleet.html", title=HOSTILE[3])
+    opened = visit(tmp_path / "fleet.html", wait_for="html[data-ready]")
+    opened.page.get_by_role("searchbox").fill("<script>")
+    assert opened.page.evaluate("window.hacked") is None
+    assert opened.page.locator("tbody tr:visible").count() > 3
+    opened.check(tmp_path / "fleet.html")
+
+
+@browser
+def test_the_list_filters_sorts_and_grows_by_keyboard(
+    fleet: tuple[Plan, RoadNetwork], page_file: Path, visit: Visit
+) -> None:
+    plan, _ = fleet
+    convoys = convoys_of(plan)
+    assert len(convoys) > LISTED
+    opened = visit(page_file, wait_for="html[data-ready]")
+    page = opened.page
+    rows = page.locator(".fleet-list tbody tr")
+    assert rows.count() == LISTED
+    page.get_by_role("button", name="Show more platoons").focus()
+    page.keyboard.press("Enter")
+    assert rows.count() == min(2 * LISTED, len(convoys))
+    page.get_by_role("button", name="Vehicles").focus()
+    page.keyboard.press("Enter")
+    assert rows.first.locator("b").first.inner_text() == str(
+        max(len(one.vehicles) for one in convoys)
+    )
+    page.get_by_role("searchbox").fill("t77")
+    own = sum(77 in one.vehicles for one in convoys)
+    assert rows.count() == own
+    assert page.locator(".filter output").inner_text() == f"{own} of {len(convoys)} platoons"
+    page.get_by_role("searchbox").fill("")
+    page.locator("body").evaluate("() => scrollTo(0, 0)")
+    rows.first.hover()
+    assert page.locator(".platoon-road.on").count() <= 1
+    opened.check(page_file)
+
+
+@browser
+@pytest.mark.parametrize("width", [1440, 390])
+def test_nothing_is_wider_than_the_page(page_file: Path, visit: Visit, width: int) -> None:
+    opened = visit(page_file, width, 900, wait_for="html[data-ready]")
+    assert opened.page.evaluate("document.documentElement.scrollWidth") <= width
+    opened.check(page_file)
+
+
+@browser
+def test_without_javascript_and_in_print(page_file: Path, visit: Visit) -> None:
+    opened = visit(page_file, java_script_enabled=False)
+    assert opened.page.locator(".fleet-list tbody tr").count() == LISTED
+    assert not opened.page.locator(".filter").is_visible()
+    assert not opened.page.locator(".fleet-more").is_visible()
+    opened.page.emulate_media(media="print")
+    opened.page.set_viewport_size({"width": 700, "height": 1000})
+    assert opened.page.evaluate("document.documentElement.scrollWidth") <= 700
+    assert opened.page.locator(".fleet-map figure svg").is_visible()
+    opened.check(page_file)
+
+
+def test_same_plan_same_bytes(
+    fleet: tuple[Plan, RoadNetwork], page_file: Path, tmp_path: Path
+) -> None:
+    write_fleet_html(*fleet, tmp_path / "again.html")
+    assert (tmp_path / "again.html").read_bytes() == page_file.read_bytes()
+
+
+def test_a_row_more_weighs_little(page_file: Path, tmp_path: Path) -> None:
+    plan, net, _ = line_fleet(1, 1600, 8)
+    write_fleet_html(plan, net, tmp_path / "ten.html")
+    more = len((tmp_path / "ten.html").read_bytes()) - len(page_file.read_bytes())
+    assert more / 1440 < 400
