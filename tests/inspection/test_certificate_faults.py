@@ -269,3 +269,26 @@ def test_a_clock_that_starts_later_is_no_other_time():
     own["departure_s"] = own["legs"][0][0] = own["legs"][0][0] - 0.1
     with pytest.raises(FaultError, match="other times"):
         certified_with_plan(told_of(file))
+
+
+def example(shares):
+    """Return what is believed of the example of docs/certificate.md, with some shares."""
+    roads = {name: column[:3] for name, column in ROADS.items()}
+    instance = instance_of(roads, trucks(2), nodes=3)
+    told = {
+        "lane_first": [0, 1, 2, 3], "starts": [0, 0, 0], "truck": [0, 1, 0, 1, 0, 1],
+        "lane": [0, 0, 1, 1, 2, 2], "first_bucket": [0, 0, 1, 1, 2, 2],
+        "first_share": list(range(7)), "share": shares,
+    }  # fmt: skip
+    schedules = (((0, 0), (1, 2)),) * 2
+    return certified(told_of(file_of(certificate_of(instance, schedules, told))))
+
+
+def test_the_example_that_is_told_by_hand():
+    belief = example([2, 3, 4, 4, 7, 8])
+    assert (belief.alone, belief.cost, belief.least) == (80, 61, 61)
+    for place in range(6):
+        shares = [2, 3, 4, 4, 7, 8]
+        shares[place] += 1
+        with pytest.raises(FaultError, match="than it costs"):
+            example(shares)
