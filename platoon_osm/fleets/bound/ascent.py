@@ -7,8 +7,8 @@ average a of subgradients. It tries s = P(c + step a), P being the projection on
     step = f (target - bound(c)) / |a|^2    (a without what P takes off again),
 
 the part of the step of Polyak (1969) that Barahona and Anbil (2000) take, and blends
-a := (1 - w) a + w x(s). If the bound rises s becomes the centre, and f grows; after some failures
-in a row f and w shrink. The average tends to a solution of the linear program in which each truck
+a := (1 - w) a + w x(s), w falling from step to step. If the bound rises s becomes the centre, and f
+grows; after some failures f shrinks. The average tends to a solution of the linear program in which each truck
 is a mix of schedules, which is why it goes on where single subgradients jam.
 """
 
@@ -30,8 +30,8 @@ __all__ = ["Volume"]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-FAILURES = 12
-"""Steps without success before the step shrinks."""
+AGE, LEAST_WEIGHT = 0.4, 0.01
+"""By how much 1 / w grows a step, and the least w."""
 
 
 @dataclass(slots=True, eq=False)
@@ -50,6 +50,8 @@ class Volume:
         f in the module's text.
     weight : float
         w in the module's text.
+    patience : int
+        Steps without success before the step shrinks.
     """
 
     buckets: Buckets
@@ -57,8 +59,10 @@ class Volume:
     largest: int
     part: float
     weight: float
+    patience: int
     best: float = -np.inf
     _centre: Floats = field(init=False)
+    _tried: Floats = field(init=False)
     _average: Floats = field(init=False)
     _failures: int = 0
     _chunks: list[tuple[int, int]] = field(init=False)
@@ -66,6 +70,7 @@ class Volume:
     def __post_init__(self) -> None:
         self._chunks = chunks_of(self.buckets.first_member)
         self._centre = self.searching.share[self.buckets.entry]
+        self._tried = self._centre.copy()
         self._average = np.zeros(self.buckets.shares)
 
     @property
@@ -108,27 +113,27 @@ class Volume:
         crew.each(
             lambda begin, end: _move(
                 begin, end, size, self._average, self._centre, own.first_member, own.entry,
-                own.extra, own.leader, self.largest, share,
+                own.extra, own.leader, self.largest, self._tried, share,
             ),
             self._chunks,
         )  # fmt: skip
         value = self.searching.search(crew)
         self._blend(self.weight)
+        self.weight = max(1.0 / (1.0 / self.weight + AGE), LEAST_WEIGHT)
         if value > self.best:
             if value - self.best > 1e-4 * (target - self.best):
                 self.part = min(self.part * 1.1, 2.0)
                 self._failures = 0
             self.best = value
-            np.take(share, own.entry, out=self._centre)
+            self._centre, self._tried = self._tried, self._centre
         else:
             self._fail()
 
     def _fail(self) -> None:
         self._failures += 1
-        if self._failures >= FAILURES:
+        if self._failures >= self.patience:
             self._failures = 0
             self.part *= 0.7
-            self.weight = max(self.weight * 0.85, 0.01)
 
     def _blend(self, weight: float) -> None:
         routes, ways = self.searching.routes, self.searching.ways
@@ -169,6 +174,7 @@ def _move(
     extra: Floats,
     leader: Floats,
     most: int,
+    tried: Floats,
     share: Floats,
 ) -> int:
     """Set the shares of some buckets to the projection of a step from the centre."""
@@ -188,12 +194,14 @@ def _move(
         limited = most > 0 and n > most
         if n < 2 or greatest < 1e-9 or (not limited and greatest - least < 1e-9):
             for i in range(low, high):
+                tried[i] = centre[i]
                 share[entry[i]] = centre[i]
             continue
         for i in range(n):
             v[i] = centre[low + i] + size * average[low + i]
         project(v, n, extra[b], leader[b], most, work)
         for i in range(n):
+            tried[low + i] = v[i]
             share[entry[low + i]] = v[i]
     return 0
 

@@ -35,14 +35,17 @@ Floats = NDArray[np.float64]
 LISTING_ROUNDS = 4
 """Rounds that list pairs before buckets are cut."""
 
-FIRST_STEPS, LISTING_STEPS, LEAST_STEPS = 80, 30, 80
-"""Steps of the first round, of one that lists pairs, and of others at least."""
+FIRST_STEPS, LISTING_STEPS, LEAST_STEPS, MOST_STEPS = 80, 30, 80, 240
+"""Steps of the first round, of one that lists pairs, and of others at least and at most."""
 
 LOOK = 40
 """Steps between two looks at what was gained."""
 
-ENOUGH = 0.01
+ENOUGH = 0.03
 """A round ends if less than this part of what is missing was gained between two looks."""
+
+BEYOND = 0.007
+"""The part of the savings by which steps aim beyond the best at least: a target too near jams."""
 
 ROUNDING = 1e-9
 """The part by which the bound is lowered for rounding in sums; `certified` is exact."""
@@ -133,13 +136,15 @@ class Bound:
         stop : callable
             Is asked before each step whether to end.
         """
-        target = min(target, float(self._instance.alone_cost.sum()))
+        alone = float(self._instance.alone_cost.sum())
+        target = min(target, alone)
         with Crew(self._threads) as crew:
             fresh = False
             for _ in range(steps):
                 if self.settled or stop():
                     break
-                self._volume.step(crew, target)
+                best = self._volume.best
+                self._volume.step(crew, max(target, best + BEYOND * (alone - best)))
                 self._steps += 1
                 fresh = True
                 if self._steps % LOOK == 0 and self._round >= LISTING_ROUNDS:
@@ -177,7 +182,8 @@ class Bound:
         first = self._round == 0
         self._volume = Volume(
             self._buckets, searching, self._instance.largest,
-            part=0.2 if first else 0.3, weight=0.1 if first else 0.07,
+            part=0.5, weight=0.1 if first else 0.07,
+            patience=3 if first else 8,
         )  # fmt: skip
         self._volume.begin(crew)
         self._steps, self._looked = 0, self._volume.best
@@ -192,6 +198,10 @@ class Bound:
         if self._steps % LOOK:
             return False
         gained, self._looked = self._volume.best - self._looked, self._volume.best
+        if self._steps >= MOST_STEPS:
+            return True
+        alone = float(self._instance.alone_cost.sum())
+        missing = max(missing, BEYOND * (alone - self._volume.best))
         return self._steps >= LEAST_STEPS and gained < ENOUGH * missing
 
     @property

@@ -25,7 +25,7 @@ __all__ = ["project", "projected"]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-HALVINGS = 24
+HALVINGS = 14
 """How often the span of a threshold is halved; what is left of it only moves shares a little."""
 
 

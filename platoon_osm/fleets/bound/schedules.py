@@ -77,8 +77,8 @@ class Routes(NamedTuple):
 
 
 def _over_lane(
-    p: int, begin: int, end: int, at: int, ways: Ways, prices: Prices, onward: Floats,
-    limit: float, time: Ints, cost: Floats, parent: Ints, entry: Ints,
+    p: int, begin: int, end: int, at: int, ways: Ways, prices: Prices, least: float,
+    onward: Floats, limit: float, time: Ints, cost: Floats, parent: Ints, entry: Ints,
 ) -> int:  # fmt: skip
     """Lead a front over a lane: its labels stand at begin to end, new ones from `at` on."""
     starts, share = prices.starts, prices.share
@@ -86,6 +86,8 @@ def _over_lane(
     bucket = prices.first_bucket[p]
     opens, closes, drive = ways.opens[p], ways.closes[p], ways.drive[p]
     rest = onward[ways.head[p]] + prices.member[p]
+    if cost[end - 1] + least + rest >= limit:
+        return at
     first = 0
     if high - low > 1 and starts[bucket + 1] <= time[begin]:
         last = high - low
@@ -127,6 +129,9 @@ def _over_lane(
                     entry[at] = low + i
                     at += 1
             j += 1
+        if j == end and lowest <= best + least:
+            # No later bucket is cheaper.
+            break
     return at
 
 
@@ -161,24 +166,24 @@ def _merged(
     return at
 
 
-def _least_onward(k: int, ways: Ways, prices: Prices, onward: Floats) -> None:
-    """Work out the least that getting from each place to the destination may cost."""
-    places = ways.first_place[k + 1] - ways.first_place[k]
-    for u in range(places):
+def _least_onward(k: int, ways: Ways, prices: Prices, least: Floats, onward: Floats) -> None:
+    """Work out the least share of each pair, and the least that getting on from each place costs."""
+    begin, end = ways.first[k], ways.first[k + 1]
+    for p in range(begin, end):
+        lowest = prices.share[prices.first_share[p]]
+        for s in range(prices.first_share[p] + 1, prices.first_share[p + 1]):
+            if prices.share[s] < lowest:
+                lowest = prices.share[s]
+        least[p - begin] = lowest
+    for u in range(ways.first_place[k + 1] - ways.first_place[k]):
         onward[u] = FAR
     onward[ways.sink[k]] = 0
     changed = True
     while changed:
         changed = False
-        for i in range(ways.first[k + 1] - 1, ways.first[k] - 1, -1):
+        for i in range(end - 1, begin - 1, -1):
             p = ways.order[i]
-            beyond = onward[ways.head[p]]
-            if beyond >= onward[ways.tail[p]]:
-                continue
-            least = prices.share[prices.first_share[p]]
-            for s in range(prices.first_share[p] + 1, prices.first_share[p + 1]):
-                least = min(least, prices.share[s])
-            through = beyond + prices.member[p] + least
+            through = onward[ways.head[p]] + prices.member[p] + least[p - begin]
             if through < onward[ways.tail[p]]:
                 onward[ways.tail[p]] = through
                 changed = True
@@ -253,7 +258,8 @@ def cheapest(
     onward = np.zeros(most, np.float64)
     low = np.zeros(most, np.int64)
     high = np.zeros(most, np.int64)
-    least = np.empty(most, np.float64)
+    reached = np.empty(most, np.float64)
+    least = np.full(np.max(np.diff(ways.first)), -FAR)
     time = np.empty(room, np.int64)
     cost = np.empty(room, np.float64)
     parent = np.empty(room, np.int64)
@@ -274,7 +280,7 @@ def cheapest(
                 limit += prices.member[routes.pair[i]] + prices.share[routes.entry[i]]
             limit -= limit * TOLERANCE
         if pruned:
-            _least_onward(k, ways, prices, onward)
+            _least_onward(k, ways, prices, least, onward)
             if onward[ways.source[k]] >= limit:
                 routes.cost[k] = limit
                 continue
@@ -296,8 +302,9 @@ def cheapest(
                 if top + 2 * (high[u] - low[u] + widest) + own > room - 1:
                     return k
                 after = _over_lane(
-                    p, low[u], high[u], top, ways, prices, onward, limit, time, cost, parent, entry
-                )
+                    p, low[u], high[u], top, ways, prices, least[p - ways.first[k]], onward, limit,
+                    time, cost, parent, entry,
+                )  # fmt: skip
                 for x in range(top, after):
                     pair[x] = p
                 if own == 0:
@@ -309,16 +316,16 @@ def cheapest(
                 found = high[ways.sink[k]] - 1
         else:
             for u in range(ways.first_place[k + 1] - at):
-                least[u] = limit
+                reached[u] = limit
             place[0] = ways.source[k]
             size = _pushed(heap, 0, 0, time)
             while size > 0:
                 one = heap[0]
                 size = _popped(heap, size, time)
                 u = place[one]
-                if cost[one] >= least[u]:
+                if cost[one] >= reached[u]:
                     continue
-                least[u] = cost[one]
+                reached[u] = cost[one]
                 if u == ways.sink[k]:
                     found = one
                     limit = min(limit, cost[one])
@@ -331,21 +338,11 @@ def cheapest(
                         return k
                     if time[one] <= ways.closes[p]:
                         after = _over_lane(
-                            p,
-                            one,
-                            one + 1,
-                            top,
-                            ways,
-                            prices,
-                            onward,
-                            limit,
-                            time,
-                            cost,
-                            parent,
-                            entry,
-                        )
+                            p, one, one + 1, top, ways, prices, least[p - ways.first[k]], onward,
+                            limit, time, cost, parent, entry,
+                        )  # fmt: skip
                         for x in range(top, after):
-                            if cost[x] < least[ways.head[p]]:
+                            if cost[x] < reached[ways.head[p]]:
                                 time[top] = time[x]
                                 cost[top] = cost[x]
                                 parent[top] = one
