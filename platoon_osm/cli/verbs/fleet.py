@@ -17,7 +17,7 @@ from ..outputs import existing_files, output_kind
 from ..progress import searched, steps
 
 if TYPE_CHECKING:
-    from ...fleets.fleet import Progress
+    from ...fleets.progress import Progress
 
 __all__ = ["verb"]
 
