@@ -8,8 +8,8 @@ average a of subgradients. It tries s = P(c + step a), P being the projection on
 
 the part of the step of Polyak (1969) that Barahona and Anbil (2000) take, and blends
 a := (1 - w) a + w x(s), w falling from step to step. If the bound rises s becomes the centre, and f
-grows; after some failures f shrinks. The average tends to a solution of the linear program in which each truck
-is a mix of schedules, which is why it goes on where single subgradients jam.
+grows; after some failures f shrinks. The average tends to a solution of the linear program in which
+each truck is a mix of schedules, which is why it goes on where single subgradients jam.
 """
 
 from __future__ import annotations

@@ -167,7 +167,7 @@ def _merged(
 
 
 def _least_onward(k: int, ways: Ways, prices: Prices, least: Floats, onward: Floats) -> None:
-    """Work out the least share of each pair, and the least that getting on from each place costs."""
+    """Work out the least share of each pair, and what getting on from each place costs at least."""
     begin, end = ways.first[k], ways.first[k + 1]
     for p in range(begin, end):
         lowest = prices.share[prices.first_share[p]]
