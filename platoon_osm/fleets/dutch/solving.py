@@ -9,10 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import PlatoonError
+from ..bound.bound import Bound
 from ..companies import companies_of
-from ..exact_process import Solver, exact_fleet
+from ..exact import Ways
+from ..exact_process import Exact, Solver, exact_fleet
 from ..instance import Instance
 from ..matching import matched_pairs
+from ..plan.search import FleetSearch
 from .model import dutch_instance
 from .records import DutchData, DutchInstance
 
@@ -20,8 +23,11 @@ __all__ = ["LIMIT_S", "DutchResult", "solved"]
 
 Ints = NDArray[np.int64]
 
-LIMIT_S = 8.0
+LIMIT_S = 7.5
 """The exact model is given as long [s]."""
+
+ROUNDS, STEPS, MOVES = 6, 100, 500
+"""What shares and search do where that was not enough: rounds, and steps and moves of each."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,12 +111,36 @@ def solved(
                 "run it on a faster machine"
             )
         (lanes, departs), saving, bound = found.ways, found.saving, found.bound
+        if not found.proved:
+            (lanes, departs), saving, bound = _helped(instance, found)
     seconds = time.perf_counter() - begun
     alone = int(instance.alone_cost.sum())
     share, trucks = _together(instance, lanes, departs)
     return DutchResult(
         100 * saving / alone, 100 * bound / alone, 100 * share, 100 * trucks, seconds
     )
+
+
+def _helped(instance: Instance, found: Exact) -> tuple[Ways, int, int]:
+    """Return the better plan and the better bound of the exact model's and a search's."""
+    bound, search = Bound(instance), FleetSearch(instance)
+    for place in range(ROUNDS):
+        bound.improve(float(search.cost), STEPS, lambda: False)
+        if place % 2 == 0:
+            search.construct(bound.shares, bound.guide)
+        heat = 1 - (place + 1) / ROUNDS
+        search.improve(bound.shares, bound.guide, MOVES, heat, lambda: False)
+    alone = int(instance.alone_cost.sum())
+    most = min(found.bound, alone - bound.certified()[1])
+    if alone - search.cost <= found.saving:
+        return found.ways, found.saving, most
+    best = search.best
+    counts = best.count.tolist()
+    ways = (
+        [best.lanes[k, :n].astype(np.int64) for k, n in enumerate(counts)],
+        [best.departs[k, :n] for k, n in enumerate(counts)],
+    )
+    return ways, alone - search.cost, most
 
 
 def _together(instance: Instance, lanes: list[Ints], departs: list[Ints]) -> tuple[float, float]:
