@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterable, Sequence
+from copy import copy
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +38,24 @@ class Apart:
             }
         )
         self._trucks = len(names)
+
+    def also(self, groups: Iterable[Sequence[int]]) -> Self:
+        """Return the same pairs and all of some groups.
+
+        Parameters
+        ----------
+        groups : iterable of sequence of int
+            Trucks; those of one group must not drive together.
+
+        Returns
+        -------
+        Apart
+            Another object.
+        """
+        found = copy(self)
+        added = {pair for group in groups for pair in itertools.combinations(sorted(group), 2)}
+        found.pairs = sorted({*self.pairs, *added})
+        return found
 
     def __bool__(self) -> bool:
         return bool(self.pairs)

@@ -45,13 +45,15 @@ def matched(trucks: int, offers: Sequence[PairOffer]) -> list[PairOffer]:
     return [offers[place] for place in places]
 
 
-def matched_pairs(instance: Instance) -> tuple[list[Ints], list[Ints], int]:
+def matched_pairs(instance: Instance, least: int = 0) -> tuple[list[Ints], list[Ints], int]:
     """Return the best plan with one platoon of two a trip.
 
     Parameters
     ----------
     instance : Instance
         The problem; waiting must be free.
+    least : int
+        What a pair has to save [grains].
 
     Returns
     -------
@@ -61,7 +63,8 @@ def matched_pairs(instance: Instance) -> tuple[list[Ints], list[Ints], int]:
         What it saves; no plan with one platoon of two a trip saves more [grains].
     """
     lanes, departs = alone_ways(instance)
-    chosen = matched(instance.trucks, pair_offers(instance))
+    offers = [offer for offer in pair_offers(instance) if offer.saving >= least]
+    chosen = matched(instance.trucks, offers)
     for offer in chosen:
         for place, k in enumerate((offer.first, offer.second)):
             lanes[k], departs[k] = offer.lanes[place], offer.departs[place]

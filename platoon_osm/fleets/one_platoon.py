@@ -25,7 +25,7 @@ MOST_TICKS = 1000
 """A tenth of a second."""
 
 
-def one_platoon(instance: Instance, seed: int) -> tuple[Ways, int]:
+def one_platoon(instance: Instance, seed: int, least: int = 0) -> tuple[Ways, int]:
     """Return the best plan with one platoon of two a trip.
 
     Parameters
@@ -34,6 +34,8 @@ def one_platoon(instance: Instance, seed: int) -> tuple[Ways, int]:
         The problem; its largest platoon is 2.
     seed : int
         Of the ticks.
+    least : int
+        What a pair has to save [grains].
 
     Returns
     -------
@@ -62,7 +64,7 @@ def one_platoon(instance: Instance, seed: int) -> tuple[Ways, int]:
             earliest=instance.earliest + later,
             opens=np.minimum(instance.opens + later[instance.pair_truck], instance.closes),
         )
-        lanes, departs, saving = matched_pairs(moved)
+        lanes, departs, saving = matched_pairs(moved, least)
         if all(_has_one(own) for own in companies_of(instance, lanes, departs)):
             return (lanes, departs), saving
     raise ScenarioError(

@@ -9,6 +9,7 @@ is solved between.
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -17,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ScenarioError
+from ..plans.convoys import convoys_of
 from ..plans.fleet import FleetRecord, Moment
 from ..plans.plan import Plan
 from ..plans.proof import Proof
@@ -64,6 +66,9 @@ COLD = 0.15
 
 NOTHING_LEFT = 1e-5
 """A gap below this share of the savings is worth no more search."""
+
+REFUSALS = 40
+"""How often platoons that save too little are kept apart, and the rest planned again."""
 
 SMALL = 60_000
 """The exact model is tried with at most so many entries of a truck into a lane at an instant."""
@@ -113,7 +118,43 @@ class FleetRun:
             return self._finished(self._matched())
         course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
         ended = self._follow(course)
+        if not self.limits.min_gain:
+            return self._finished(ended)
+        return self._worthwhile(ended)
+
+    def _worthwhile(self, ended: str) -> Plan:
+        """Return a plan in which each platoon saves enough: those of the others stay apart."""
+        for _ in range(REFUSALS):
+            plan = self._finished(ended, write=False)
+            small = [
+                platoon.vehicles
+                for platoon in convoys_of(plan)
+                if (platoon.saving or 0.0) < self.limits.min_gain
+            ]
+            if not small:
+                break
+            self.apart = self.apart.also(small)
+            self.exact = None
+            self.search = FleetSearch(
+                self.model.instance, threads=self.limits.cores, seed=self.limits.seed,
+                apart=self.apart.rows,
+            )  # fmt: skip
+            self.search.construct(self.bound.shares, self.bound.guide)
+            for heat in (0.2, 0.1, 0.0):
+                self.search.improve(
+                    self.bound.shares, self.bound.guide, FEW_MOVES, heat, self._never
+                )
+        else:
+            raise ScenarioError(
+                "fleet: some platoons save less than min_gain whoever is kept apart; give a "
+                "smaller one"
+            )
         return self._finished(ended)
+
+    @staticmethod
+    def _never() -> bool:
+        """Let a round be done whole."""
+        return False
 
     def _matched(self) -> str:
         """Plan one platoon of two a trip, and raise the bound a little; return why it ended."""
@@ -122,7 +163,11 @@ class FleetRun:
                 "fleet: one platoon a trip is not planned with vehicles that must keep apart; let "
                 "trips have many"
             )
-        ways, saving = one_platoon(self.model.instance, self.limits.seed)
+        ways, saving = one_platoon(
+            self.model.instance,
+            self.limits.seed,
+            math.ceil(self.limits.min_gain * self.model.lanes.grains),
+        )
         self.exact = _Exact(ways, self.alone - saving, self.alone - saving)
         self._tell()
         return "proved"
@@ -229,7 +274,7 @@ class FleetRun:
             [best.departs[k, :n] for k, n in enumerate(counts)],
         )
 
-    def _finished(self, ended: str) -> Plan:
+    def _finished(self, ended: str, write: bool = True) -> Plan:
         """Return the plan as it is now, and write it if that is wanted."""
         model, unit = self.model, self.model.lanes.grains
         shares, certified = self.bound.certified()
@@ -256,7 +301,7 @@ class FleetRun:
             conditions=conditions, exact_bound=told,
         )  # fmt: skip
         plan = replace(plan, fleet=record, proof=Proof.of(cost, alone - record.most, conditions))
-        if self.write_to is not None:
+        if write and self.write_to is not None:
             certificate = certificate_of(model, shares, lanes, departs, self.cost, certified)
             write_fleet(plan, certificate, self.write_to)
         return plan

@@ -13,6 +13,7 @@ from random_networks import network
 import platoon_osm as po
 from platoon_osm.errors import ScenarioError
 from platoon_osm.inspection.certificate.belief import certify
+from platoon_osm.plans.convoys import convoys_of
 from platoon_osm.plans.plan import Plan
 
 DAY = datetime(2026, 3, 2, 6)
@@ -153,6 +154,20 @@ def test_one_platoon_a_trip(net):
     for index, way in enumerate(plan.ways):
         company = [plan.stretches[k].company for k in way if plan.stretches[k].together]
         assert len(set(company)) <= 1, index
+
+
+@pytest.mark.parametrize("per_trip", ["many", "one"])
+def test_a_platoon_saves_at_least_what_is_asked(net, per_trip):
+    problem = asked(net, 24, max_platoon=2)
+    limits = {"time_s": None, "rounds": 14, "per_trip": per_trip}
+    free = po.plan_fleet(problem, po.Limits(**limits))
+    savings = sorted(one.saving for one in convoys_of(free))
+    least = savings[len(savings) // 2]
+    plan = po.plan_fleet(problem, po.Limits(**limits, min_gain=least))
+    found = [one.saving for one in convoys_of(plan)]
+    assert found
+    assert min(found) >= least * (1 - 1e-9)
+    assert plan.fleet.saving <= free.fleet.most * (1 + 1e-9)
 
 
 def test_trips_that_cannot_be_planned_are_listed_and_the_rest_planned(net):
