@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
+from .convoys import convoys_of
 from .fleet import ENDED
 from .plan import Plan
 
@@ -26,11 +27,13 @@ def fleet_lines(plan: Plan) -> list[str]:
     record = plan.fleet
     assert record is not None
     together = {one for stretch in plan.stretches if stretch.together for one in stretch.vehicles}
+    platoons = len(convoys_of(plan))
     largest = max((len(stretch.vehicles) for stretch in plan.stretches), default=1)
     driven = sum(stretch.length_m * len(stretch.vehicles) for stretch in plan.stretches)
     share = plan.platoon_m / driven if driven else 0.0
     lines = [
-        f"{len(plan.trips):,} trips, {len(together):,} of them in platoons of up to {largest} for "
+        f"{len(plan.trips):,} trips, {len(together):,} of them in "
+        f"{platoons:,} platoon{'s' * (platoons != 1)} of up to {largest} for "
         f"{share:.1%} of all {driven / 1000:,.0f} km",
         f"Saves {record.saving:,.1f} {plan.unit} of {record.alone_cost:,.1f}, "
         f"{record.saved_share:.2%}; no plan saves more than {record.bound:,.1f}",

@@ -1,4 +1,4 @@
-"""A fleet's plan as a folder: tables for its dispatchers, and sheets for its drivers."""
+"""A fleet's plan as a folder: a page, tables for its dispatchers, sheets for its drivers."""
 
 from __future__ import annotations
 
@@ -11,11 +11,13 @@ from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from .document.checks import check_path, check_plan, check_title
 from .exports.assignment import write_assignment, write_platoons, write_unserved, write_vehicles
+from .pages.fleet import write_fleet_html
 from .sheets.write import write_sheets
 
 __all__ = ["SHEETS_UP_TO", "write_fleet_folder"]
 
 TABLES = ("assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv")
+PAGE = "fleet.html"
 SHEETS = "sheets"
 SHEETS_UP_TO = 100
 """So many drivers get sheets without asking; each takes about a tenth of a second."""
@@ -31,10 +33,10 @@ def write_fleet_folder(
 ) -> list[Path]:
     """Write a fleet's plan into a folder: all of it appears, or nothing.
 
-    There are `assignment.csv`, a row for each vehicle and part in company; `platoons.csv`, a row
-    for each company; `vehicles.csv`; `unserved.csv`, the trips that could not be planned and why;
-    and in `sheets` a page and a calendar for each driver. The plan itself with its certificate is
-    written by `plan_fleet`.
+    There are `fleet.html`, the page of the fleet; `assignment.csv`, a row for each vehicle and part
+    in company; `platoons.csv`, a row for each company; `vehicles.csv`; `unserved.csv`, the trips
+    that could not be planned and why; and in `sheets` a page and a calendar for each driver. The
+    plan itself with its certificate is written by `plan_fleet`.
 
     Parameters
     ----------
@@ -45,7 +47,7 @@ def write_fleet_folder(
     folder : path-like
         Made if it is missing.
     title : str or None
-        Heads the sheets.
+        Heads page and sheets.
     sheets : bool or None
         Whether drivers get sheets; by default those of fleets of up to 100.
 
@@ -71,7 +73,8 @@ def write_fleet_folder(
         write_platoons(plan, net, place / "platoons.csv")
         write_vehicles(plan, place / "vehicles.csv")
         write_unserved(plan, place / "unserved.csv")
-        written = [place / name for name in TABLES]
+        write_fleet_html(plan, net, place / PAGE, title=title)
+        written = [place / name for name in (*TABLES, PAGE)]
         if len(plan.trips) <= SHEETS_UP_TO if sheets is None else sheets:
             write_sheets(plan, net, place / SHEETS, title=title)
             written.append(place / SHEETS)

@@ -19,7 +19,7 @@ from platoon_osm.plans.plan import Plan
 
 posix = pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 
-TABLES = {"assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv"}
+TABLES = {"assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv", "fleet.html"}
 HEADER = "vehicle,origin,destination,earliest_departure,flexibility_min,carrier\n"
 ROADS = (("Torino", "Trieste"), ("Milano", "Trieste"), ("Genova", "Trieste"), ("Milano", "Padova"))
 

@@ -99,7 +99,7 @@ def test_who_could_not_be_planned(day, tmp_path):
 
 def test_the_folder(day, tmp_path):
     plan, net = day
-    tables = {"assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv"}
+    tables = {"assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv", "fleet.html"}
     po.write_fleet_folder(plan, net, tmp_path / "few")
     assert {path.name for path in (tmp_path / "few").iterdir()} == {*tables, "sheets"}
     assert len(list((tmp_path / "few" / "sheets").glob("*.html"))) == 3
@@ -118,10 +118,10 @@ def test_what_a_fleet_comes_to(day):
     said = fleet_lines(plan)
     driven = 3 * 40 + 3 * 40 + 40
     assert said[0] == (
-        f"3 trips, 2 of them in platoons of up to 2 for {80 / driven:.1%} of all {driven} km"
+        f"3 trips, 2 of them in 1 platoon of up to 2 for {80 / driven:.1%} of all {driven} km"
     )
     assert said[1] == "Saves 1.0 l of 9.0, 11.11%; no plan saves more than 1.0"
-    assert said[2].startswith("Gap: 0.000% of the savings; ended after 0.1 s, for no more")
+    assert said[2].startswith("Gap: 0.000% of the savings; ended after 0.1 s, for less than")
     assert said[3] == "Trips that could not be planned: 1, 1 of them as: late even alone by 5 min"
     assert plan.summary().startswith("\n".join(said))
     assert proof_sentence(plan) in plan.summary()

@@ -18,9 +18,11 @@ from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.convoys import convoys_of
 from platoon_osm.plans.plan import Plan
 from platoon_osm.report import write_fleet_html
+from platoon_osm.report.charts.fleet_charts import gap_percent
 from platoon_osm.report.document.corridor import corridor_of
 from platoon_osm.report.document.fleet import LISTED, fleet_document_of
 from platoon_osm.report.language.speech import speaking
+from platoon_osm.report.maps.pixels import path_data
 
 Visit = Callable[..., Any]
 
@@ -222,3 +224,15 @@ def test_a_row_more_weighs_little(page_file: Path, tmp_path: Path) -> None:
     write_fleet_html(plan, net, tmp_path / "ten.html")
     more = len((tmp_path / "ten.html").read_bytes()) - len(page_file.read_bytes())
     assert more / 1440 < 400
+
+
+def test_a_gap_is_never_told_smaller_than_it_is() -> None:
+    told = [gap_percent(gap) for gap in (0.0, 1e-6, 0.00932, 0.0101, 0.15, 0.1501)]
+    assert [text.split("\u202f")[0] for text in told] == [
+        "0.0", "0.001", "0.932", "1.1", "15.0", "15.1",
+    ]  # fmt: skip
+
+
+def test_a_line_shrunk_to_a_point_draws_nothing() -> None:
+    assert path_data([(1.0, 2.0)]) == ""
+    assert path_data([(1.0, 2.0), (3.0, 2.5)]) == "M1 2l2 .5"

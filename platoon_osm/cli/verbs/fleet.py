@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["verb"]
 
 FLEET = "fleet.json"
-HOLDS = (FLEET, "assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv")
+HOLDS = (FLEET, "assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv", "fleet.html")
 
 
 class _WithObjectives(Sections):

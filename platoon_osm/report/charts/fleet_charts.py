@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 from ...plans.clock import Clock
@@ -16,12 +17,20 @@ from ..markup.quantities import percent, true_minus
 from .axes import plain
 from .polylines import line_text
 
-__all__ = ["corridor_chart", "fine_percent", "gap_chart", "size_chart", "size_colour"]
+__all__ = [
+    "corridor_chart", "fine_percent", "gap_chart", "gap_percent", "size_chart", "size_colour",
+]  # fmt: skip
 
 LEFT, RIGHT, TOP, BOTTOM = 46.0, 440.0, 14.0, 190.0
 
 BOUND_ROOM = 2.2
 """The chart of the gap ends at so many times the last bound; an earlier, weaker one is cut off."""
+
+SMALL_GAP = 0.01
+"""Below it a gap is told with three decimals."""
+
+LATE_START = 0.2
+"""Where the first plan took longer than this share of the search, the chart begins with it."""
 
 MOST_SIZES = 8
 """Bars of sizes; larger platoons share the last."""
@@ -49,6 +58,25 @@ def fine_percent(share: float) -> str:
     return say("form.percent", number=true_minus(number(share * 100, 2)))
 
 
+def gap_percent(gap: float) -> str:
+    """Return a gap, never less than it is: with as many decimals as a small one needs.
+
+    Parameters
+    ----------
+    gap : float
+        Of 1.
+
+    Returns
+    -------
+    str
+        In percent, rounded up.
+    """
+    decimals = 1 if gap >= SMALL_GAP or gap <= 0 else 3
+    part = 10**decimals
+    told = math.ceil(gap * 100 * part - 1e-6) / part
+    return say("form.percent", number=number(told, decimals))
+
+
 def gap_chart(record: FleetRecord) -> Tree:
     """Return how saving and bound moved over the time of the search, as shares of the cost alone.
 
@@ -69,10 +97,12 @@ def gap_chart(record: FleetRecord) -> Tree:
     last = moments[-1]
     moments.append(Moment(max(record.seconds, last.seconds), record.saving, record.bound))
     end = moments[-1].seconds or 1.0
+    first = moments[0].seconds
+    begin = first if first > LATE_START * end else 0.0
     top = min(max(one.bound for one in moments), BOUND_ROOM * record.bound) / cost
 
     def x(seconds: float) -> float:
-        return LEFT + (RIGHT - LEFT) * seconds / end
+        return LEFT + (RIGHT - LEFT) * (seconds - begin) / max(end - begin, 1e-9)
 
     def y(share: float) -> float:
         return BOTTOM - (BOTTOM - TOP) * max(share, 0.0) / top
@@ -86,7 +116,7 @@ def gap_chart(record: FleetRecord) -> Tree:
         {
             "label": say(
                 "fleet.gap-chart", saved=fine_percent(record.saving / cost),
-                bound=fine_percent(record.bound / cost), gap=percent(record.gap),
+                bound=fine_percent(record.bound / cost), gap=gap_percent(record.gap),
             ),
             "upward": tuple(
                 Piece("what-if-upward", {"left": LEFT, "right": RIGHT, "x": LEFT - 6,
@@ -97,7 +127,7 @@ def gap_chart(record: FleetRecord) -> Tree:
             "across": tuple(
                 Piece("what-if-across", {"x": f"{x(at):.1f}", "top": TOP, "bottom": BOTTOM,
                                          "text_y": BOTTOM + 17, "text": plain(at)})
-                for at in _round_values(end, 6)
+                for at in _round_values(end, 6, begin)
             ),
             "band": line_text([*inside, *reversed(bounds)]),
             "bounds": line_text(bounds),
@@ -106,9 +136,10 @@ def gap_chart(record: FleetRecord) -> Tree:
     )  # fmt: skip
 
 
-def _round_values(end: float, most: int) -> list[float]:
-    step = round_step(end / most)
-    return [round(k * step, 12) for k in range(int(end / step + 1e-9) + 1)]
+def _round_values(end: float, most: int, begin: float = 0.0) -> list[float]:
+    step = round_step((end - begin) / most)
+    first = math.ceil(begin / step - 1e-9)
+    return [round(k * step, 12) for k in range(first, int(end / step + 1e-9) + 1)]
 
 
 def _steps(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:

@@ -33,10 +33,12 @@ def path_data(points: Sequence[Point]) -> str:
     Returns
     -------
     str
-        SVG path data.
+        SVG path data; empty for a line shrunk to a point.
     """
     tenths = [(round(x * 10), round(y * 10)) for x, y in points]
     (x0, y0), *rest = tenths
+    if not rest:
+        return ""
     out = [f"M{x0 / 10:g} {y0 / 10:g}l"]
     for x, y in rest:
         out += [_number(x - x0), _number(y - y0)]

@@ -11,7 +11,7 @@ from ...output_paths import PAGES
 from ...plans.clock import Clock
 from ...plans.plan import Plan
 from ...shown_text import fitted
-from ..charts.fleet_charts import corridor_chart, fine_percent, gap_chart, size_chart
+from ..charts.fleet_charts import corridor_chart, fine_percent, gap_chart, gap_percent, size_chart
 from ..document.checks import check_path
 from ..document.corridor import Ends
 from ..document.fleet import LISTED, FleetDocument, Listed, fleet_document_of
@@ -45,8 +45,9 @@ def write_fleet_html(
     net: RoadNetwork,
     path: str | os.PathLike[str],
     *,
-    title: str = "",
-    language: str = "en",
+    title: str | None = None,
+    language: str | None = None,
+    clock: int | None = None,
     corridor: Ends | None = None,
 ) -> None:
     """Write the page of a fleet's plan; whole or not at all.
@@ -62,10 +63,12 @@ def write_fleet_html(
         The network it was made on.
     path : path-like
         Of the file; missing folders are made.
-    title : str
+    title : str or None
         Heads the page; by default the number of trucks.
-    language : str
-        That the texts are in, such as "de".
+    language : str or None
+        That the texts are in, such as "de"; by default English.
+    clock : int or None
+        24 or 12 hours; by default as the language has it.
     corridor : tuple of int or str, (2,), or None
         From where to where the road goes whose diagram is drawn: nodes, or names of places; by
         default the busiest road.
@@ -77,8 +80,8 @@ def write_fleet_html(
         texts, or a file that cannot be written.
     """
     place = check_path(path)
-    with speaking(language):
-        page = _page(fleet_document_of(plan, net, title or None, corridor))
+    with speaking(language, clock):
+        page = _page(fleet_document_of(plan, net, title, corridor))
     with whole_file(place, suffixes=PAGES) as draft:
         draft.write_text(page, encoding="utf-8", newline="\n")
 
@@ -144,7 +147,7 @@ def _figures(found: FleetDocument) -> Tree:
         (number(len(found.plan.trips)), say("fleet.trucks"), ""),
         (_share(found, record.saving), say("fleet.saved", cost=unit.full(record.saving)), "good"),
         (_share(found, record.bound), say("fleet.at-most", cost=unit.full(record.bound)), ""),
-        (percent(record.gap), say("fleet.gap"), ""),
+        (gap_percent(record.gap), say("fleet.gap"), ""),
         (number(len(found.platoons)), say("fleet.platoons"), ""),
         (percent(together / total), say("fleet.in-platoons", km=number(together / 1000)), ""),
     ]
@@ -162,7 +165,7 @@ def _proved(found: FleetDocument) -> str:
         return say("fleet.proof-whole", saved=unit.full(record.saving))
     return say(
         "fleet.proof", bound=unit.full(record.bound), saved=unit.full(record.saving),
-        gap=percent(record.gap),
+        gap=gap_percent(record.gap),
     )  # fmt: skip
 
 
@@ -218,7 +221,7 @@ def _platoons(found: FleetDocument, clock: Clock | None) -> Tree:
                 _row(found, clock, one, k) for k, one in enumerate(found.platoons[:LISTED])
             ),
             "note": Piece(
-                "fleet-note", {"text": say("fleet.first-of", n=LISTED, all=number(every))}
+                "fleet-first-of", {"text": say("fleet.first-of", n=LISTED, all=number(every))}
             )
             if every > LISTED
             else NOTHING,
