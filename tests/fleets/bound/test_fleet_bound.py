@@ -6,7 +6,10 @@ from exhaustive import optimum, random_instance
 from soak import chosen, soaked
 from tiny_fleets import all_schedules, cost_under, linear_bound, valid_by_trying
 
+from platoon_osm.errors import ScenarioError
+from platoon_osm.fleets.bound import ascent, schedules, splitting, whole
 from platoon_osm.fleets.bound.bound import Bound
+from platoon_osm.fleets.bound.warmth import warm_up
 
 SEEDS = range(chosen(60, 3000))
 
@@ -96,3 +99,19 @@ def test_a_fleet_of_trucks_that_never_meet_costs_what_they_cost_alone():
     for seed in range(10):
         fleet = random_instance(seed, trucks=1)
         assert Bound(fleet).certified()[1] == fleet.alone_cost.sum()
+
+
+def test_after_warming_up_nothing_is_compiled_any_more():
+    kernels = (schedules.cheapest, ascent._move, splitting._cuts, whole._made_valid)
+    warm_up()
+    before = [len(kernel.signatures) for kernel in kernels]
+    assert min(before) == 1
+    bound = Bound(fleet_of(2))
+    bound.improve(bound.cost * 1.01, 100, never)
+    bound.certified()
+    assert [len(kernel.signatures) for kernel in kernels] == before
+
+
+def test_a_price_of_waiting_is_refused():
+    with pytest.raises(ScenarioError, match="price of waiting"):
+        Bound(random_instance(1, waiting=2))
