@@ -10,7 +10,7 @@ from ..errors import ScenarioError, brief
 from ..network.road_network import RoadNetwork
 from ..plans.plan import Plan
 from .document.checks import check_path, check_plan, check_title
-from .exports.assignment import write_assignment, write_platoons, write_unserved, write_vehicles
+from .exports.assignment import write_assignment, write_frame, write_unserved
 from .pages.fleet import write_fleet_html
 from .sheets.write import write_sheets
 
@@ -29,13 +29,14 @@ def write_fleet_folder(
     folder: str | os.PathLike[str],
     *,
     title: str | None = None,
+    language: str | None = None,
     sheets: bool | None = None,
 ) -> list[Path]:
     """Write a fleet's plan into a folder: all of it appears, or nothing.
 
     There are `fleet.html`, the page of the fleet; `assignment.csv`, a row for each vehicle and part
-    in company; `platoons.csv`, a row for each company; `vehicles.csv`; `unserved.csv`, the trips
-    that could not be planned and why; and in `sheets` a page and a calendar for each driver. The
+    in company; `platoons.csv` and `vehicles.csv`, a row for each; `unserved.csv`, the trips that
+    could not be planned and why; and in `sheets` a page and a calendar for each driver. The
     plan itself with its certificate is written by `plan_fleet`.
 
     Parameters
@@ -48,6 +49,8 @@ def write_fleet_folder(
         Made if it is missing.
     title : str or None
         Heads page and sheets.
+    language : str or None
+        Of page and sheets, such as "de"; by default English.
     sheets : bool or None
         Whether drivers get sheets; by default those of fleets of up to 100.
 
@@ -70,12 +73,12 @@ def write_fleet_folder(
         raise ScenarioError(f"fleet: sheets is {brief(sheets)}; give True, False or None")
     with all_or_none():
         write_assignment(plan, net, place / "assignment.csv")
-        write_platoons(plan, net, place / "platoons.csv")
-        write_vehicles(plan, place / "vehicles.csv")
+        write_frame(plan, "platoons", place / "platoons.csv")
+        write_frame(plan, "vehicles", place / "vehicles.csv")
         write_unserved(plan, place / "unserved.csv")
-        write_fleet_html(plan, net, place / PAGE, title=title)
+        write_fleet_html(plan, net, place / PAGE, title=title, language=language)
         written = [place / name for name in (*TABLES, PAGE)]
         if len(plan.trips) <= SHEETS_UP_TO if sheets is None else sheets:
-            write_sheets(plan, net, place / SHEETS, title=title)
+            write_sheets(plan, net, place / SHEETS, title=title, language=language)
             written.append(place / SHEETS)
     return written

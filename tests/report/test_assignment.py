@@ -14,7 +14,7 @@ from platoon_osm.plans.proof_sentence import proof_sentence
 from platoon_osm.report.exports.assignment import (
     company_parts,
     write_assignment,
-    write_platoons,
+    write_frame,
     write_unserved,
 )
 
@@ -72,12 +72,11 @@ def test_a_row_for_each_part_in_company(day, tmp_path):
 
 
 def test_a_row_for_each_platoon(day, tmp_path):
-    plan, net = day
-    (one,) = table(lambda path: write_platoons(plan, net, path), tmp_path)
-    assert (one["size"], one["begins_at"], one["ends_at"]) == ("2", "Bra", "Cuneo")
-    leader = next(part for part in company_parts(plan) if part.position == 1)
-    names = [plan.trips[k].vehicle for k in leader.company]
-    assert one["vehicles"].replace("'", "") == "; ".join(names)
+    plan, _ = day
+    (one,) = table(lambda path: write_frame(plan, "platoons", path), tmp_path)
+    assert (one["size"], one["forms_at"], one["parts_at"]) == ("2", "Bra", "Cuneo")
+    assert one["vehicles"].replace("'", "") == "=a, b"
+    assert len(one["forms"]) == len("2026-03-02T06:00:00")
     assert float(one["saving_l"]) == pytest.approx(plan.solo_cost - plan.joint_cost, rel=1e-5)
 
 

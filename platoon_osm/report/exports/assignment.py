@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from datetime import datetime, timedelta
 
 from ...costs.share import Share
 from ...csv_tables import write_table
@@ -20,8 +21,7 @@ from ...shown_text import shown
 from ..document.checks import check_path, check_plan
 
 __all__ = [
-    "CompanyPart", "company_parts", "write_assignment", "write_platoons", "write_unserved",
-    "write_vehicles",
+    "CompanyPart", "company_parts", "write_assignment", "write_frame", "write_unserved",
 ]  # fmt: skip
 
 DIGITS = 6
@@ -113,51 +113,25 @@ def write_assignment(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str])
     write_table(check_path(path), header, _assignment(plan, net), DIGITS)
 
 
-def write_platoons(plan: Plan, net: RoadNetwork, path: str | os.PathLike[str]) -> None:
-    """Write the platoons of a plan as CSV: a row for each company and what it drives in one go.
-
-    Columns are platoon (a number), size, vehicles (in the order in which they drive), begins_at,
-    begins_time, ends_at, ends_time, km (of road) and the saving of all in the plan's unit.
+def write_frame(plan: Plan, what: str, path: str | os.PathLike[str]) -> None:
+    """Write a table of a plan as CSV: the columns of `plan.to_frame(what)`.
 
     Parameters
     ----------
     plan : Plan
         What is written.
-    net : RoadNetwork
-        The network it was made on.
+    what : str
+        As `to_frame` has it: "vehicles", "platoons", ...
     path : path-like
-        Of the file; missing folders are made.
+        Of the file; missing folders are made. Moments are written to the second.
 
     Raises
     ------
     ScenarioError
-        A plan of another network, or a file that cannot be written.
+        A table that the plan does not have, or a file that cannot be written.
     """
-    check_plan(plan, net)
-    header = (
-        "platoon", "size", "vehicles", "begins_at", "begins_time", "ends_at", "ends_time", "km",
-        f"saving_{_unit(plan)}",
-    )  # fmt: skip
-    write_table(check_path(path), header, _platoons(plan, net), DIGITS)
-
-
-def write_vehicles(plan: Plan, path: str | os.PathLike[str]) -> None:
-    """Write the vehicles of a plan as CSV: the columns of `plan.to_frame()`.
-
-    Parameters
-    ----------
-    plan : Plan
-        What is written.
-    path : path-like
-        Of the file; missing folders are made.
-
-    Raises
-    ------
-    ScenarioError
-        A file that cannot be written.
-    """
-    frame = plan.to_frame("vehicles")
-    columns = [frame[column].tolist() for column in frame.columns]
+    frame = plan.to_frame(what)
+    columns = [map(_told, frame[column].tolist()) for column in frame.columns]
     write_table(check_path(path), list(frame.columns), zip(*columns, strict=True), DIGITS)
 
 
@@ -210,21 +184,6 @@ def _assignment(plan: Plan, net: RoadNetwork) -> Iterator[list[Cell]]:
             ]  # fmt: skip
 
 
-def _platoons(plan: Plan, net: RoadNetwork) -> Iterator[list[Cell]]:
-    leading = [part for part in company_parts(plan) if part.position == 1]
-    for number, part in enumerate(leading, 1):
-        shares = [
-            share
-            for stretch in plan.ways[part.vehicle][part.first : part.last + 1]
-            for share in plan.stretches[stretch].shares
-        ]
-        yield [
-            number, len(part.company),
-            "; ".join(shown(plan.trips[one].vehicle) for one in part.company),
-            *_begin(plan, net, part), *_end(plan, net, part), _length_km(plan, part), _gain(shares),
-        ]  # fmt: skip
-
-
 def _length_km(plan: Plan, part: CompanyPart) -> float:
     way = plan.ways[part.vehicle][part.first : part.last + 1]
     return sum(plan.stretches[stretch].length_m for stretch in way) / 1000
@@ -274,3 +233,11 @@ def _moment(plan: Plan, seconds: float | None) -> str | None:
     if plan.timetable is None or seconds is None:
         return None
     return plan.timetable.clock.iso(seconds)
+
+
+def _told(cell: object) -> object:
+    """Return a cell of a frame as a table has it."""
+    if isinstance(cell, datetime):
+        whole = (cell + timedelta(microseconds=500_000)).replace(microsecond=0)
+        return whole.isoformat(timespec="seconds")
+    return shown(cell) if isinstance(cell, str) else cell
