@@ -102,7 +102,9 @@ class Volume:
         own, share = self.buckets, self.searching.share
         norm = sum(
             crew.each(
-                lambda begin, end: _norm(begin, end, self._average, own.first_member, self.largest),
+                lambda begin, end: _norm(
+                    begin, end, self._average, own.first_member, own.leader, self.largest
+                ),
                 self._chunks,
             )
         )
@@ -144,7 +146,9 @@ class Volume:
 
 
 @compiled
-def _norm(begin: int, end: int, average: Floats, first_member: Ints, most: int) -> float:
+def _norm(
+    begin: int, end: int, average: Floats, first_member: Ints, leader: Floats, most: int
+) -> float:
     """Return the squared length of the average along valid shares, over some buckets."""
     norm = 0.0
     for b in range(begin, end):
@@ -157,7 +161,8 @@ def _norm(begin: int, end: int, average: Floats, first_member: Ints, most: int) 
             squares += average[i] * average[i]
             total += average[i]
         norm += squares
-        if most == 0 or high - low <= most:
+        # Only on a simplex does the projection take off what is common to all.
+        if leader[b] == 0.0 and (most == 0 or high - low <= most):
             norm -= total * total / (high - low)
     return norm
 
@@ -191,8 +196,8 @@ def _move(
         for i in range(low, high):
             least = min(least, average[i])
             greatest = max(greatest, average[i])
-        limited = most > 0 and n > most
-        if n < 2 or greatest < 1e-9 or (not limited and greatest - least < 1e-9):
+        bent = leader[b] > 0.0 or (most > 0 and n > most)
+        if n < 2 or greatest < 1e-9 or (not bent and greatest - least < 1e-9):
             for i in range(low, high):
                 tried[i] = centre[i]
                 share[entry[i]] = centre[i]

@@ -225,7 +225,7 @@ class Bound:
         )
         self._stale = self._stale + 1 if self.cost - before <= 1e-4 * (target - self.cost) else 0
         same = buckets.shares == self._buckets.shares
-        self.settled = target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 2)
+        self.settled = target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 3)
         unlisted = -self._instance.leader_saves[self._instance.pair_lane[listed]]
         share = inherited(self._buckets, share, buckets, unlisted.astype(np.float64))
         if len(listed) > len(self._listed):

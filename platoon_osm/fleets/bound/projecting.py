@@ -9,8 +9,11 @@ with a level t >= 0 such that Q t + sum of max(0, s - t) <= C; the nearest have
     Q t + sum of max(0, v - f) = C,    sum of min(d, max(0, v - t)) = Q d  (or t = 0),
 
 which is solved for f by halving; those below t are raised to it for nothing. In regime (ii) the
-truck of the greatest amount has C + x and others -x, with x = (max v - C - sum of the other v) / n
-held to [0, h]. The nearer of the two is taken. Both are followed by a check against rounding.
+truck of the greatest amount has C + x and others -x. Only lowering counts, so x is where
+
+    max v - C - x = sum of max(0, v + x) over the others,
+
+held to [0, h], found by Newton's method from above. The nearer of the two is taken.
 """
 
 from __future__ import annotations
@@ -107,6 +110,38 @@ def _with_limit(v: Floats, n: int, price: float, most: int, work: Floats) -> Non
         v[i] = max(v[i] - threshold, 0.0) + level
 
 
+def _with_leader(v: Floats, n: int, price: float, leader: float, work: Floats) -> None:
+    """Put v, the projection of the amounts work[n:2n] on regime (i), on regime (ii) if nearer."""
+    first = 0
+    near = 0.0
+    for i in range(n):
+        # Raising is free: what lies below valid shares is valid.
+        near += max(work[n + i] - v[i], 0.0) ** 2
+        if work[n + i] > work[n + first]:
+            first = i
+    greatest = work[n + first]
+    x = leader
+    while True:
+        total = greatest - price
+        count = 1
+        for i in range(n):
+            if i != first and work[n + i] > -x:
+                total -= work[n + i]
+                count += 1
+        lower = total / count
+        if lower >= x or x <= 0.0:
+            break
+        x = max(lower, 0.0)
+    far = max(greatest - price - x, 0.0) ** 2
+    for i in range(n):
+        if i != first:
+            far += max(work[n + i] + x, 0.0) ** 2
+    if far < near:
+        for i in range(n):
+            v[i] = -x
+        v[first] = price + x
+
+
 def project(v: Floats, n: int, price: float, leader: float, most: int, work: Floats) -> None:
     """Put the amounts of a bucket at valid shares near to them.
 
@@ -134,26 +169,10 @@ def project(v: Floats, n: int, price: float, leader: float, most: int, work: Flo
     else:
         _on_simplex(v, n, price)
     if leader > 0.0:
-        first = 0
-        total = 0.0
-        near = 0.0
-        for i in range(n):
-            total += work[n + i]
-            near += (v[i] - work[n + i]) ** 2
-            if work[n + i] > work[n + first]:
-                first = i
-        x = min(max((2.0 * work[n + first] - total - price) / n, 0.0), leader)
-        far = (work[n + first] - price - x) ** 2
-        for i in range(n):
-            if i != first:
-                far += (work[n + i] + x) ** 2
-        if far < near:
-            for i in range(n):
-                v[i] = -x
-            v[first] = price + x
+        _with_leader(v, n, price, leader, work)
 
 
-for _helper in (_on_simplex, _with_limit, project):
+for _helper in (_on_simplex, _with_limit, _with_leader, project):
     made_known(_helper)
 
 
