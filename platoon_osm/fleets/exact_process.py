@@ -8,8 +8,10 @@ from __future__ import annotations
 import math
 import multiprocessing
 import os
+import signal
 import threading
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from types import TracebackType
@@ -27,8 +29,11 @@ __all__ = ["Exact", "Solver", "exact_fleet"]
 
 Floats = NDArray[np.float64]
 
-GRACE_S = 20.0
+GRACE_S = 5.0
 """How long after its limit an answer is waited for: large programmes take long to read [s]."""
+
+LOOK_S = 0.1
+"""How often it is asked whether to give up [s]."""
 
 NODES = 200
 """Nodes of the solver's search where its time is not limited."""
@@ -91,7 +96,11 @@ class Solver:
             self._process, self._ours = None, None
 
     def solve(
-        self, programme: Programme, time_s: float | None, relaxed: bool = False
+        self,
+        programme: Programme,
+        time_s: float | None,
+        relaxed: bool = False,
+        stop: Callable[[], bool] | None = None,
     ) -> tuple[Floats, float, float] | None:
         """Solve a programme.
 
@@ -103,6 +112,8 @@ class Solver:
             For how long [s]; None for `NODES` nodes.
         relaxed : bool
             Whether its linear relaxation is solved instead.
+        stop : callable, optional
+            Asked now and then whether to give up.
 
         Returns
         -------
@@ -123,10 +134,12 @@ class Solver:
         assert self._ours is not None
         self._ours.send((programme, time_s, relaxed))
         until = time.monotonic() + (MOST_S if time_s is None else time_s) + GRACE_S
+        ends = stop or _never
         try:
-            if not self._ours.poll(max(0.0, until - time.monotonic())):
-                self.close()
-                return None
+            while not self._ours.poll(LOOK_S):
+                if ends() or time.monotonic() > until:
+                    self.close()
+                    return None
             found = self._ours.recv()
         except (EOFError, OSError) as error:
             self.close()
@@ -150,6 +163,7 @@ def exact_fleet(
     time_s: float | None,
     solver: Solver | None = None,
     most: int = MOST_ENTRIES,
+    stop: Callable[[], bool] | None = None,
 ) -> Exact | None:
     """Solve a fleet's problem by its exact model.
 
@@ -164,6 +178,8 @@ def exact_fleet(
         One that runs already.
     most : int
         How many entries the model may have.
+    stop : callable, optional
+        Asked now and then whether to give up.
 
     Returns
     -------
@@ -180,7 +196,7 @@ def exact_fleet(
         return None
     own = solver or Solver()
     try:
-        found = own.solve(programme, time_s)
+        found = own.solve(programme, time_s, stop=stop)
     finally:
         if solver is None:
             own.close()
@@ -194,8 +210,14 @@ def exact_fleet(
     return Exact(ways_of(instance, programme, values), saving, max(saving, most), proved)
 
 
+def _never() -> bool:
+    return False
+
+
 def _serve(pipe: Connection, parent: int) -> None:
     """Solve what comes until nobody asks any more; in the process."""
+    # Ctrl-C is for whoever asked, who ends this process when it wants.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_follow, args=(parent,), daemon=True).start()
     # HiGHS greets on standard output, whatever it is told.
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)

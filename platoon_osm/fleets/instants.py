@@ -59,6 +59,8 @@ def entries_of(instance: Instance, most: int = MOST_ENTRIES) -> Entries | None:
     """
     if instance.waiting:
         raise ScenarioError("fleet: the exact model takes waiting as free; use the bound instead")
+    if instance.pairs > most:
+        return None  # each has an entry
     by_lane: list[list[int]] = [[] for _ in range(instance.lanes)]
     for pair, lane in enumerate(instance.pair_lane.tolist()):
         by_lane[lane].append(pair)

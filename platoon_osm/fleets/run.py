@@ -87,7 +87,21 @@ class _Exact:
 
 
 class FleetRun:
-    """One search, its bound, and what is told of them."""
+    """One search, its bound, and what is told of them.
+
+    Parameters
+    ----------
+    model : FleetModel
+        The problem in whole numbers.
+    limits : Limits
+        What it may do.
+    course : Course
+        How far it is.
+    write_to : str or path or None
+        Where the best plan so far is kept.
+    on_progress : callable or None
+        Told how far it is.
+    """
 
     def __init__(
         self,
@@ -231,7 +245,7 @@ class FleetRun:
         left_s = None
         if self.limits.time_s is not None:
             left_s = max(1.0, (until - self.course.share) * self.limits.time_s)
-        found = exact_fleet(instance, left_s, most=SMALL)
+        found = exact_fleet(instance, left_s, most=SMALL, stop=self.course.until(until))
         if found is not None:
             self.exact = _Exact(found.ways, self.alone - found.saving, self.alone - found.bound)
             self.course.rounds += 1
