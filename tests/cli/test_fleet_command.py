@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from command_line import refused, run
 from places import ROOT
+from soak import chosen, soaked
 
 import platoon_osm as po
 from platoon_osm.fleets.day.trip_file import write_trips
@@ -50,7 +51,7 @@ def test_a_table_becomes_a_folder(capsys):
         "x,Nowhere at all,Roma,2026-03-02 06:00,30,\ny,Torino,Milano,soon,30,\nz,Torino,Milano,,,\n"
     )
     Path("apart.csv").write_text("vehicle,apart_from\nt0,t2\ny,t2\n")
-    given = ("fleet", table(more=bad), "--network", "italy-motorways", "--rounds", "3", "--seed",
+    given = ("fleet", table(more=bad), "--network", "italy-motorways", "--rounds", "2", "--seed",
              "1", "--max-platoon", "3", "--apart", "apart.csv", "-o", "out")  # fmt: skip
     assert run(*given) == 0
     out, err = capsys.readouterr()
@@ -104,23 +105,21 @@ def searching():
 
 
 @posix
-def test_killed_in_the_middle_the_best_plan_so_far_is_there():
+@soaked
+@pytest.mark.parametrize("name", chosen(["SIGKILL"], ["SIGKILL", "SIGINT"]))
+def test_ended_in_the_middle_the_best_plan_so_far_is_there(name):
     process = searching()
-    process.kill()
-    process.communicate(timeout=60)
-    assert process.returncode == -signal.SIGKILL
+    process.send_signal(getattr(signal, name))
+    said, _ = process.communicate(timeout=200)
     plan = made()
     assert len(plan.trips) == 120
     assert plan.fleet.saving <= plan.fleet.bound
-
-
-@posix
-def test_interrupted_it_writes_the_best_plan_so_far():
-    process = searching()
-    process.send_signal(signal.SIGINT)
-    said, _ = process.communicate(timeout=200)
+    if name == "SIGKILL":
+        assert process.returncode == -signal.SIGKILL
+        return
+    # Ctrl-C: the search ends, and all else is written.
     assert process.returncode == 0
     assert "it was interrupted" in said
     assert {path.name for path in Path("out").iterdir()} >= {*TABLES, "fleet.json"}
-    assert made().fleet.ended == "interrupted"
+    assert plan.fleet.ended == "interrupted"
     assert len({row["vehicle"] for row in rows("assignment.csv")}) == 120
