@@ -3,6 +3,7 @@
 import csv
 from dataclasses import replace
 from datetime import datetime
+from types import SimpleNamespace
 
 import pytest
 
@@ -86,6 +87,16 @@ def test_parts_cover_what_is_driven_in_company(day):
         legs = [k for k, leg in enumerate(own.legs) if leg.role == "platoon"]
         parts = [part for part in company_parts(plan) if part.vehicle == vehicle]
         assert [k for part in parts for k in range(part.first, part.last + 1)] == legs
+
+
+def test_a_company_that_stops_and_goes_on_has_one_part():
+    companies = [(0, 1), (0, 1), (1, 0), (0,), (1,)]
+    plan = SimpleNamespace(
+        ways=((0, 1, 2, 3), (0, 1, 2, 4)),
+        stretches=[SimpleNamespace(vehicles=company) for company in companies],
+    )
+    parts = [(part.vehicle, part.first, part.last, part.position) for part in company_parts(plan)]
+    assert parts == [(0, 0, 1, 1), (0, 2, 2, 2), (1, 0, 1, 2), (1, 2, 2, 1)]
 
 
 def test_who_could_not_be_planned(day, tmp_path):
