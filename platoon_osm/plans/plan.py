@@ -222,6 +222,14 @@ class Plan:
 
     def __repr__(self) -> str:
         """Return the plan in one line, however many vehicles there are."""
+        if (fleet := self.fleet) is not None:
+            most = fleet.most / fleet.alone_cost if fleet.alone_cost else 0.0
+            return (
+                f"<Plan of a fleet: {len(self.trips):,} vehicles, {fleet.saved_share:.2%} saved, "
+                f"{most:.2%} can be at most (gap {fleet.gap:.3%} of that), "
+                f"{self.platoon_m / 1000:,.0f} vehicle-km in platoons, "
+                f"on {named(self.network.name)}>"
+            )
         return (
             f"<Plan case {self.case}: {len(self.trips):,} vehicles, {self.saving:.1%} saved, "
             f"{self.platoon_m / 1000:,.0f} vehicle-km in platoons, on {named(self.network.name)}>"

@@ -23,6 +23,7 @@ from platoon_osm.report.document.corridor import corridor_of
 from platoon_osm.report.document.fleet import LISTED, fleet_document_of
 from platoon_osm.report.language.speech import speaking
 from platoon_osm.report.maps.pixels import path_data
+from platoon_osm.report.pages.notebook import MOST_OF_FLEET
 
 Visit = Callable[..., Any]
 
@@ -236,3 +237,30 @@ def test_a_gap_is_never_told_smaller_than_it_is() -> None:
 def test_a_line_shrunk_to_a_point_draws_nothing() -> None:
     assert path_data([(1.0, 2.0)]) == ""
     assert path_data([(1.0, 2.0), (3.0, 2.5)]) == "M1 2l2 .5"
+
+
+def test_a_solver_bound_is_told_beside_what_the_certificate_proves(tmp_path: Path) -> None:
+    plan, net, _ = line_fleet(1, 60, 4)
+    assert plan.fleet is not None
+    saving = plan.fleet.saving
+    fleet = replace(plan.fleet, bound=1.2 * saving, exact_bound=1.0005 * saving)
+    write_fleet_html(replace(plan, fleet=fleet), net, tmp_path / "exact.html")
+    text = (tmp_path / "exact.html").read_text("utf-8")
+    assert "<strong>0.050\u202f%</strong> <span>gap" in text
+    assert "bound of the exact model" in text
+    write_fleet_html(plan, net, tmp_path / "plain.html")
+    assert "bound of the exact model" not in (tmp_path / "plain.html").read_text("utf-8")
+
+
+def test_texts_of_thousands_stay_short(fleet: tuple[Plan, RoadNetwork]) -> None:
+    plan, _ = fleet
+    table = plan._repr_html_()
+    assert table.count("<tr>") == MOST_OF_FLEET + 3
+    assert "and 140 more" in table
+    assert "Fleet of 160 trucks" in table
+    assert repr(plan).startswith("<Plan of a fleet: 160 vehicles, ")
+    assert "(gap 16.667% of that)" in repr(plan)
+    lines = plan.summary().splitlines()
+    assert len(lines) < 14
+    longest = max(one.vehicle_m for one in convoys_of(plan))
+    assert f"  {longest / 1000:,.0f} vehicle-km" in plan.summary()

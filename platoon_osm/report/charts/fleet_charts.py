@@ -92,14 +92,14 @@ def gap_chart(record: FleetRecord) -> Tree:
     """
     cost = record.alone_cost
     moments = sorted(record.history, key=lambda one: one.seconds)
-    if len(moments) < 2 or not cost or record.bound <= 0:
+    if len(moments) < 2 or not cost or record.most <= 0:
         return NOTHING
     last = moments[-1]
-    moments.append(Moment(max(record.seconds, last.seconds), record.saving, record.bound))
+    moments.append(Moment(max(record.seconds, last.seconds), record.saving, record.most))
     end = moments[-1].seconds or 1.0
     first = moments[0].seconds
     begin = first if first > LATE_START * end else 0.0
-    top = min(max(one.bound for one in moments), BOUND_ROOM * record.bound) / cost
+    top = min(max(one.bound for one in moments), BOUND_ROOM * record.most) / cost
 
     def x(seconds: float) -> float:
         return LEFT + (RIGHT - LEFT) * (seconds - begin) / max(end - begin, 1e-9)
@@ -116,7 +116,7 @@ def gap_chart(record: FleetRecord) -> Tree:
         {
             "label": say(
                 "fleet.gap-chart", saved=fine_percent(record.saving / cost),
-                bound=fine_percent(record.bound / cost), gap=gap_percent(record.gap),
+                bound=fine_percent(record.most / cost), gap=gap_percent(record.gap),
             ),
             "upward": tuple(
                 Piece("what-if-upward", {"left": LEFT, "right": RIGHT, "x": LEFT - 6,

@@ -180,6 +180,11 @@ def _number(proof: Mapping[str, object], name: str) -> float | None:
 
 
 def _method(plan: Plan) -> str:
+    if (fleet := plan.fleet) is not None:
+        parts = [say("about.fleet"), say(f"plan.fleet-{fleet.routes}")]
+        if fleet.max_platoon is not None:
+            parts.append(say("plan.fleet-largest", count=str(fleet.max_platoon)))
+        return "; ".join((*parts, say("about.seed", n=str(fleet.seed))))
     method = say(METHODS[plan.method]) if plan.method in METHODS else plan.method
     least = OBJECTIVES.get(plan.objective)
     objective = say(least) if least else plan.objective

@@ -146,7 +146,7 @@ def _figures(found: FleetDocument) -> Tree:
     rows = [
         (number(len(found.plan.trips)), say("fleet.trucks"), ""),
         (_share(found, record.saving), say("fleet.saved", cost=unit.full(record.saving)), "good"),
-        (_share(found, record.bound), say("fleet.at-most", cost=unit.full(record.bound)), ""),
+        (_share(found, record.most), say("fleet.at-most", cost=unit.full(record.most)), ""),
         (gap_percent(record.gap), say("fleet.gap"), ""),
         (number(len(found.platoons)), say("fleet.platoons"), ""),
         (percent(together / total), say("fleet.in-platoons", km=number(together / 1000)), ""),
@@ -161,12 +161,15 @@ def _figures(found: FleetDocument) -> Tree:
 
 def _proved(found: FleetDocument) -> str:
     record, unit = found.record, found.unit
-    if record.gap <= 0:
+    if record.bound <= record.saving:
         return say("fleet.proof-whole", saved=unit.full(record.saving))
-    return say(
-        "fleet.proof", bound=unit.full(record.bound), saved=unit.full(record.saving),
+    text = say(
+        "fleet.proof", bound=unit.full(record.most), saved=unit.full(record.saving),
         gap=gap_percent(record.gap),
     )  # fmt: skip
+    if record.most < record.bound:
+        text += " " + say("fleet.proof-exact", bound=unit.full(record.bound))
+    return text
 
 
 def _gap(found: FleetDocument) -> Tree:
@@ -178,7 +181,7 @@ def _gap(found: FleetDocument) -> Tree:
         "fleet-gap-section",
         {
             "chart": chart,
-            "bound": say("fleet.bound-line", share=_share(found, record.bound)),
+            "bound": say("fleet.bound-line", share=_share(found, record.most)),
             "saved": say("fleet.saved-line", share=_share(found, record.saving)),
         },
     )

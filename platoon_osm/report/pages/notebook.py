@@ -10,6 +10,7 @@ from ...plans.credits import UNKNOWN_SOURCE
 from ...plans.paid import paid
 from ...plans.plan import Plan
 from ...shown_text import fitted
+from ..charts.fleet_charts import fine_percent, gap_percent
 from ..document.checks import check_is_plan
 from ..document.model_vehicle import CostTexts, called
 from ..document.status import status
@@ -24,6 +25,9 @@ from ..markup.quantities import kilometres
 __all__ = ["network_table", "plan_table"]
 
 MOST_NOTES = 5
+
+MOST_OF_FLEET = 20
+"""Rows of a fleet's vehicles; thousands would outweigh the notebook."""
 
 
 def network_table(net: RoadNetwork) -> str:
@@ -59,7 +63,7 @@ def network_table(net: RoadNetwork) -> str:
 
 
 def plan_table(plan: Plan) -> str:
-    """Return a plan's vehicles and what each saves.
+    """Return a plan's vehicles and what each saves; of a whole fleet the first of them.
 
     Parameters
     ----------
@@ -78,6 +82,7 @@ def plan_table(plan: Plan) -> str:
     """
     check_is_plan(plan)
     unit, vehicles = plan_unit(plan), plan.vehicles
+    listed = vehicles if plan.fleet is None else vehicles[:MOST_OF_FLEET]
     styles = vehicle_styles([one.vehicle for one in vehicles])
     names = [
         called(style.letter, "" if name == style.letter else name)
@@ -103,8 +108,12 @@ def plan_table(plan: Plan) -> str:
                 ),
             },
         )
-        for index, (name, one, by) in enumerate(zip(names, vehicles, late, strict=True))
+        for index, (name, one, by) in enumerate(
+            zip(names[: len(listed)], listed, late[: len(listed)], strict=True)
+        )
     ]
+    if more := len(vehicles) - len(listed):
+        rows.append(Piece("notebook-more", {"text": say("notebook.more", n=more)}))
     return written(
         Piece(
             "notebook-table",
@@ -113,12 +122,7 @@ def plan_table(plan: Plan) -> str:
                     Piece("notebook-status", {"text": one.text})
                     for one in status(names, days, together)
                 ),
-                "caption": say(
-                    "notebook.caption",
-                    case=fitted(plan.case),
-                    network=fitted(plan.network.name),
-                    unit=unit.label,
-                ),
+                "caption": _caption(plan, unit.label),
                 "heads": shown.heads(),
                 "rows": tuple(rows),
                 "totals": shown.cells(
@@ -129,6 +133,22 @@ def plan_table(plan: Plan) -> str:
                 ),
             },
         )
+    )
+
+
+def _caption(plan: Plan, unit: str) -> str:
+    network = fitted(plan.network.name)
+    if (fleet := plan.fleet) is None:
+        return say("notebook.caption", case=fitted(plan.case), network=network, unit=unit)
+    alone = fleet.alone_cost
+    return say(
+        "notebook.fleet",
+        n=number(len(plan.trips)),
+        network=network,
+        saving=fine_percent(fleet.saved_share),
+        most=fine_percent(fleet.most / alone if alone else 0.0),
+        gap=gap_percent(fleet.gap),
+        unit=unit,
     )
 
 
