@@ -22,7 +22,7 @@ def verb(networks: tuple[str, ...]) -> None:
     from time import perf_counter
 
     from ...fleets.bound import warmth as bound
-    from ...fleets.plan import compiled as plan
+    from ...fleets.plan import warmth as plan
     from ...network.saved.store import open_network
     from ...planning.legal import warmth
     from ...planning.timing import kernels

@@ -8,7 +8,7 @@ from typing import Any
 from ...search.hierarchy.runtime.where_it_pays import WhereItPays
 from . import kernels
 
-__all__ = ["EXPLORE", "SWEEP", "THROUGH", "warm_up"]
+__all__ = ["EXPLORE", "SWEEP", "THROUGH"]
 
 COMPILING_S = 12.0
 """How long compiling one takes, about [s]."""
@@ -19,10 +19,3 @@ EXPLORE: WhereItPays[Callable[..., Any]] = WhereItPays(
 SWEEP: WhereItPays[Callable[..., Any]] = WhereItPays(kernels.sweep, COMPILING_S, kernels.HELPERS)
 THROUGH: WhereItPays[Callable[..., Any]] = WhereItPays(kernels.through_pairs, 3.0)
 """See `kernels`."""
-
-
-def warm_up() -> None:
-    """Have all compiled from now on."""
-    EXPLORE.now()
-    SWEEP.now()
-    THROUGH.now()

@@ -207,6 +207,34 @@ def test_a_price_of_waiting_is_refused_and_an_empty_fleet_is_none():
         FleetSearch(instance)
 
 
+def test_warming_up_calls_every_kernel(monkeypatch):
+    """Each is told to be compiled, and then run on arrays such as it will meet."""
+    from platoon_osm.fleets.plan import compiled, kernels, margin, search, warmth
+
+    called = []
+
+    class Plain:
+        def __init__(self, name):
+            self.run = getattr(kernels, name)
+            self.name = name
+
+        def now(self):
+            called.append(("now", self.name))
+
+        def ready(self, _):
+            called.append(("run", self.name))
+            return self.run
+
+    for name, kernel in (("EXPLORE", "explore"), ("SWEEP", "sweep"), ("THROUGH", "through_pairs")):
+        for module in (compiled, margin, search, warmth):
+            if hasattr(module, name):
+                monkeypatch.setattr(module, name, Plain(kernel))
+    warmth.warm_up()
+    assert set(called) == {
+        (what, name) for what in ("now", "run") for name in ("explore", "sweep", "through_pairs")
+    }
+
+
 def test_schedules_that_are_no_plan_are_refused():
     instance = day(3)
     plan = searched(instance, rounds=1, moves=1).best
