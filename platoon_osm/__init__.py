@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from .report.exports.tracks import write_csv, write_gpx
     from .report.fleet_folder import write_fleet_folder
     from .report.pages.comparison import write_comparison
+    from .report.pages.fleet import write_fleet_html
     from .report.pages.flows import write_flows
     from .report.pages.in_languages import write_pages
     from .report.pages.page import explore, write_html
@@ -131,6 +132,7 @@ _WHERE = {
     "write_csv": "report.exports.tracks",
     "write_figures": "report.charts.figures",
     "write_fleet_folder": "report.fleet_folder",
+    "write_fleet_html": "report.pages.fleet",
     "write_flows": "report.pages.flows",
     "write_gpx": "report.exports.tracks",
     "load_network": "sources.load",
@@ -209,6 +211,7 @@ __all__ = [
     "write_curve",
     "write_figures",
     "write_fleet_folder",
+    "write_fleet_html",
     "write_flows",
     "write_geopackage",
     "write_gpx",

@@ -5,15 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 from hostile_names import HOSTILE
-from line_fleets import ROAD_M, line_fleet
+from line_fleets import ROAD_M, line_fleet, line_net
 
+import platoon_osm as po
 from platoon_osm.errors import ScenarioError
+from platoon_osm.fleets.conditions import conditions_of
 from platoon_osm.network.road_network import RoadNetwork
 from platoon_osm.plans.convoys import convoys_of
 from platoon_osm.plans.plan import Plan
@@ -21,6 +25,7 @@ from platoon_osm.report import write_fleet_html
 from platoon_osm.report.charts.fleet_charts import gap_percent
 from platoon_osm.report.document.corridor import corridor_of
 from platoon_osm.report.document.fleet import LISTED, fleet_document_of
+from platoon_osm.report.language.plan_sentences import in_language
 from platoon_osm.report.language.speech import speaking
 from platoon_osm.report.maps.pixels import path_data
 from platoon_osm.report.pages.notebook import MOST_OF_FLEET
@@ -105,6 +110,32 @@ def test_a_corridor_is_driven_at_the_pace_of_its_stretches(
     assert busiest.length_m >= 3 * ROAD_M
     with pytest.raises(ScenarioError, match="nobody drives from 'N5' to 'N2'"):
         corridor_of(plan, net, ("N5", "N2"))
+
+
+def test_a_long_stretch_is_cut_where_the_corridor_begins_and_ends() -> None:
+    net = line_net(5)
+    trip = po.Trip("A", 0, 5, earliest_departure=datetime(2026, 3, 2, 6))
+    plan = po.plan_joint(net, po.FuelCosts(), [trip], "C")
+    assert plan.timetable is not None
+    begin, end = plan.timetable.vehicles[0].legs[0]
+    found = corridor_of(plan, net, (1, "n3"))
+    assert found is not None
+    assert found.vehicles == 1
+    [run] = found.runs
+    assert (run.vehicles, run.begin_m, run.end_m) == (1, 0.0, 2 * ROAD_M)
+    assert run.begin_s == pytest.approx(begin + (end - begin) * 0.2)
+    assert run.end_s == pytest.approx(begin + (end - begin) * 0.6)
+
+
+@pytest.mark.parametrize(("given", "waiting"), [(True, 0), (False, 3)])
+def test_all_conditions_are_told_in_other_languages(given: bool, waiting: int) -> None:
+    instance = SimpleNamespace(given=given, waiting=waiting, largest=4, kind=np.array([0, 1]))
+    model: Any = SimpleNamespace(instance=instance, lanes=SimpleNamespace(grains=1000.0))
+    limits: Any = SimpleNamespace(per_trip="one", apart=(("A", "B"),), min_gain=1.0)
+    for condition in conditions_of(model, limits):
+        for language in ("de", "it"):
+            with speaking(language):
+                assert in_language(condition) != condition
 
 
 def test_without_times_company_or_history(tmp_path: Path) -> None:
