@@ -257,6 +257,12 @@ def test_the_command_tells_what_it_believes_and_what_it_refuses(tmp_path, capsys
     assert said.startswith("believed, of 3 trucks: ")
     assert "at most" in said
     assert "proved for: any route in time" in said
+    assert "exact model" not in said
+    told = copy.deepcopy(true_file)
+    told["plan"]["fleet"]["exact_bound"] = told["plan"]["fleet"]["bound"]
+    path.write_text(json.dumps(told))
+    assert main(["certify", str(path)]) == 0
+    assert "not looked at: by the exact model's solver" in capsys.readouterr().out
     other = copy.deepcopy(true_file)
     better_bound(other)
     path.write_text(json.dumps(other))

@@ -42,6 +42,9 @@ def verb(fleet: Path) -> None:
         raise click.exceptions.Exit(UNMET) from None
     for line in _lines(belief, plan.unit):
         click.echo(line)
+    if plan.fleet is not None and plan.fleet.exact_bound is not None:
+        most = f"{plan.fleet.exact_bound:,.2f} {plan.unit}"
+        click.echo(f"not looked at: by the exact model's solver no plan saves more than {most}")
 
 
 def _lines(belief: Belief, unit: str) -> list[str]:
