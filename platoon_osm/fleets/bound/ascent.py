@@ -19,7 +19,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ...search.hierarchy.runtime.jit import compiled
+from ...search.hierarchy.runtime.jit import compiled, kept_with
 from .buckets import Buckets
 from .crews import Crew, chunks_of
 from .projecting import project
@@ -219,3 +219,6 @@ def _add(
     for k in range(len(count)):
         for i in range(first_place[k], first_place[k] + count[k]):
             average[place[entry[i]]] += weight
+
+
+kept_with(_move, (project,))
