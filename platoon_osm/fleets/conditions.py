@@ -47,7 +47,5 @@ def conditions_of(model: FleetModel, limits: Limits) -> tuple[str, ...]:
         found.append("the bound lets all drive together, also those that must not")
     if limits.min_gain:
         found.append("the bound asks no least gain of a platoon")
-    found.append(
-        f"costs count in grains of {1 / model.lanes.grains:g} and times in ticks of {TICK_S:g} s"
-    )
+    found.append(f"costs are rounded to {1 / model.lanes.grains:g}, and times to {TICK_S:g} s")
     return tuple(found)

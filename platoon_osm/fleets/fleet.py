@@ -15,8 +15,12 @@ from .model import modelled
 from .progress import Progress
 from .run import FleetRun
 from .stopping import Course
+from .warmth import warm_up
 
 __all__ = ["plan_fleet"]
+
+MANY = 50
+"""Fewer trips are planned before the first kernel would be compiled."""
 
 
 def plan_fleet(
@@ -66,6 +70,9 @@ def plan_fleet(
         raise ScenarioError(f"fleet: limits are {brief(limits)}; give Limits(...)")
     if own.time_s is None and own.rounds is None:
         raise ScenarioError("fleet: limits name neither time_s nor rounds; give one of them")
+    if own.time_s is not None and len(problem.trips) >= MANY:
+        # Compiling takes seconds once, which are not those that were given to the search.
+        warm_up()
     with asked_to_end() as ends:
         course = Course(own, ends)
         model = modelled(problem, own, unserved)

@@ -21,8 +21,7 @@ def verb(networks: tuple[str, ...]) -> None:
     """
     from time import perf_counter
 
-    from ...fleets.bound import warmth as bound
-    from ...fleets.plan import warmth as plan
+    from ...fleets import warmth as fleets
     from ...network.saved.store import open_network
     from ...planning.legal import warmth
     from ...planning.timing import kernels
@@ -38,8 +37,7 @@ def verb(networks: tuple[str, ...]) -> None:
         warm_up()
         kernels.warm_up()
         warmth.warm_up()
-        bound.warm_up()
-        plan.warm_up()
+        fleets.warm_up()
         seconds = perf_counter() - begun
         for name, net in nets:
             begin(f"preparing {name}")
