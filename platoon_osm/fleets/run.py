@@ -123,7 +123,6 @@ class FleetRun:
         self.exact: _Exact | None = None
         self.history: list[Moment] = []
         self.written_s = 0.0
-        self.written_at = 0.0
         self.written_cost = self.alone + 1
 
     def plan(self) -> Plan:
@@ -138,7 +137,7 @@ class FleetRun:
 
     def _worthwhile(self, ended: str) -> Plan:
         """Return a plan in which each platoon saves enough: those of the others stay apart."""
-        for _ in range(REFUSALS):
+        for refusals in range(REFUSALS):
             plan = self._finished(ended, write=False)
             small = [
                 platoon.vehicles
@@ -146,7 +145,7 @@ class FleetRun:
                 if (platoon.saving or 0.0) < self.limits.min_gain
             ]
             if not small:
-                break
+                return self._finished("refused" if refusals else ended)
             self.apart = self.apart.also(small)
             self.exact = None
             self.search = FleetSearch(
@@ -158,12 +157,9 @@ class FleetRun:
                 self.search.improve(
                     self.bound.shares, self.bound.guide, FEW_MOVES, heat, self._never
                 )
-        else:
-            raise ScenarioError(
-                "fleet: some platoons save less than min_gain whoever is kept apart; give a "
-                "smaller one"
-            )
-        return self._finished(ended)
+        raise ScenarioError(
+            "fleet: some platoons save less than min_gain whoever is kept apart; give a smaller one"
+        )
 
     @staticmethod
     def _never() -> bool:
@@ -171,7 +167,7 @@ class FleetRun:
         return False
 
     def _matched(self) -> str:
-        """Plan one platoon of two a trip, and raise the bound a little; return why it ended."""
+        """Plan one platoon of two a trip; return why it ended."""
         if self.apart:
             raise ScenarioError(
                 "fleet: one platoon a trip is not planned with vehicles that must keep apart; let "
@@ -239,8 +235,8 @@ class FleetRun:
 
     def _try_exact(self, until: float) -> None:
         """Solve the exact model, where it is small and plan and bound are not at one yet."""
-        instance = self.model.instance
-        if self._proved or instance.waiting or self.apart or not self._leaves_freely:
+        instance, late = self.model.instance, self.course.share >= until
+        if late or self._proved or instance.waiting or self.apart or not self._leaves_freely:
             return
         left_s = None
         if self.limits.time_s is not None:
@@ -300,7 +296,6 @@ class FleetRun:
         plan = plan_of(model, lanes, departs, Proof("heuristic", 0.0, None), None)
         cost = sum(share.cost for stretch in plan.stretches for share in stretch.shares)
         alone = sum(trip.alone.cost for trip in plan.trips)
-        # Costs in grains are rounded lane by lane: that much the bound may be off.
         saving = alone - cost
         bound = max(saving, alone - certified / unit)
         told = None

@@ -18,9 +18,9 @@ __all__ = ["ENDED", "FleetRecord", "Moment", "Unserved"]
 
 ENDED = {
     "proved": "less than a hundred-thousandth of it more can be saved",
-    "settled": "neither plan nor bound moved any more",
     "time": "the time limit was reached",
     "rounds": "all rounds were done",
+    "refused": "platoons that save too little were given up",
     "interrupted": "it was interrupted",
 }
 """Why a search ended, and how that is told."""
@@ -85,7 +85,7 @@ class FleetRecord:
         Vehicles of the largest platoon; None for any.
     seed : int
         Of the search's draws.
-    ended : {"proved", "settled", "time", "rounds", "interrupted"}
+    ended : {"proved", "time", "rounds", "refused", "interrupted"}
         Why it ended.
     rounds : int
         How many rounds were done.

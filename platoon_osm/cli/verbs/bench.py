@@ -38,7 +38,7 @@ Examples:
     "-o", "--output", type=click.Path(path_type=Path), metavar="FOLDER",
     help="Folder for instances.csv and cells.csv.",
 )  # fmt: skip
-def dutch(data: Path, sets: tuple[str, ...], output: Path | None) -> None:
+def _dutch(data: Path, sets: tuple[str, ...], output: Path | None) -> None:
     """Plan the published instances and print savings, kilometres, gaps and seconds.
 
     First with departures rounded up to 15 minutes, as published, then with exact minutes.

@@ -33,7 +33,7 @@ MOST_UNSERVED = 300
 
 ENDS = {
     "proved": "fleet.ended-proved",
-    "settled": "fleet.ended-settled",
+    "refused": "fleet.ended-refused",
     "time": "fleet.ended-time",
     "rounds": "fleet.ended-rounds",
     "interrupted": "fleet.ended-interrupted",
