@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from places import SHARED
+from soak import chosen, soaked
 
 from platoon_osm.cli import main
 from platoon_osm.errors import ScenarioError
@@ -203,35 +204,25 @@ def test_the_command_prints_and_writes_both_tables(folder, tmp_path, capfd):
     assert "has no instance of ONEORIG" in capfd.readouterr().err
 
 
+@soaked
 @needs_data
-def test_the_published_optima_are_reached_on_a_part_of_the_instances():
+def test_the_published_savings_are_reached():
+    """Every day those of 20 trucks with up to 30 minutes; all of them in a soak."""
     data = read_dutch(FOLDER)
-    small = DutchData(
-        data.links, tuple(one for one in data.instances if len(one.trucks) == 20), data.published
-    )
-    asked = [one for one in kinds_of(small, ("ONEORIG",), (15.0,)) if one[1] == 15]
-    runs = run_all(small, asked)
-    cells = cells_of(small, runs)
-    assert len(cells) == 3
-    for cell in cells:
-        assert abs(cell.saving_pct - cell.published.saving_pct) < 0.1
-        assert cell.worst_gap_pct < 0.01
-    assert "ONEORIG" in table_of(cells, runs)
-
-
-@pytest.mark.soak
-@needs_data
-def test_all_published_cells_are_reached():
-    data = read_dutch(FOLDER)
-    runs = run_all(data, kinds_of(data, (), (15.0,)))
-    cells = cells_of(data, runs)
-    assert len(cells) == 54
-    for kind, least in (((2, 1), None), ((2, 0), 0.0), ((3, 0), 0.0)):
-        own = [c for c in cells if (c.largest, c.per_trip) == kind]
-        apart = [c.saving_pct - c.published.saving_pct for c in own]
-        if least is None:
+    trucks, flexibility = chosen((20, 30), (40, 45))
+    some = tuple(one for one in data.instances if len(one.trucks) <= trucks)
+    part = DutchData(data.links, some, data.published)
+    asked = [one for one in kinds_of(part, (), (15.0,)) if one[1] <= flexibility]
+    runs = run_all(part, asked)
+    cells = cells_of(part, runs)
+    assert len(cells) == chosen(12, 54)
+    for kind in ((2, 1), (2, 0), (3, 0)):
+        own = [cell for cell in cells if (cell.largest, cell.per_trip) == kind]
+        apart = [cell.saving_pct - cell.published.saving_pct for cell in own]
+        if kind == (2, 1):
             assert np.mean(np.abs(apart)) <= 0.08
         else:
-            assert np.mean(apart) >= least
+            assert np.mean(apart) >= 0
         assert min(apart) > -0.2
     assert max(cell.worst_gap_pct for cell in cells) <= 0.5
+    assert "ONEORIG" in table_of(cells, runs)
