@@ -15,7 +15,11 @@ from .options import FILE, LIMITER, SectionOption, classes_of, rules_named
 if TYPE_CHECKING:
     from ..planning.scenario.record import Scenario
 
-__all__ = ["asked_options", "asked_scenario", "costs_typed", "taken"]
+__all__ = [
+    "NETWORK_KEYS", "asked_options", "asked_scenario", "costs_option", "costs_typed",
+    "network_typed",
+    "section_option", "shared_option", "taken",
+]  # fmt: skip
 
 Run = TypeVar("Run", bound=Callable[..., Any])
 
@@ -27,6 +31,24 @@ OPTION_KEYS = (
     "case", "master", "optimum", "method", "company", "lead", "max_platoon", "patience_min",
     "access_limit_km", "rules", "task_relief", "robust", "share", "profile", "close",
 )  # fmt: skip
+
+
+SHARED: dict[str, dict[str, Any]] = {
+    "--patience-min": {
+        "type": float, "help": "Minutes by which company may move who names no window.",
+    },
+    "--access-limit-km": {
+        "type": float, "help": "How far from every road a place may be; else 50.",
+    },
+    "--profile": {
+        "help": "Vehicle of trips that name none: eu-40t, eu-lng, us-80k-lb, van-3.5t, ...",
+    },
+    "--close": {
+        "multiple": True, "metavar": "ROAD",
+        "help": 'A road that counts as closed: "way 123", "lon, lat", "A 22"; as often as needed.',
+    },
+}  # fmt: skip
+"""Options that every verb has which plans trips."""
 
 
 def asked_options(verb: Run) -> Run:
@@ -43,77 +65,144 @@ def asked_options(verb: Run) -> Run:
         The same, with the options.
     """
     options = (
-        _option(WHAT, "--trips", type=FILE, help="Table of trips: .csv, .xlsx or .gpkg."),
-        _option(WHAT, "--sheet", help="Sheet or layer of that table; else the first."),
-        _option(WHAT, "--case", help="A, B, C, D or best."),
-        _option(WHAT, "--master", help="Vehicle that keeps its route, or longest; else the best."),
-        _option(WHAT, "--optimum", help="Whose cost is least: member or system."),
-        _option(WHAT, "--method", help="dijkstra (exact) or astar (the paper's)."),
-        _option(WHAT, "--company", help="Platoons anywhere, or with the master alone."),
-        _option(WHAT, "--lead", help="Who leads: master, or rotated for all in turns."),
-        _option(WHAT, "--max-platoon", type=int, help="Vehicles of the largest platoon."),
-        _option(
-            WHAT, "--patience-min", type=float,
-            help="Minutes by which company may move who names no window.",
+        section_option(WHAT, "--trips", type=FILE, help="Table of trips: .csv, .xlsx or .gpkg."),
+        section_option(WHAT, "--sheet", help="Sheet or layer of that table; else the first."),
+        section_option(WHAT, "--case", help="A, B, C, D or best."),
+        section_option(
+            WHAT, "--master", help="Vehicle that keeps its route, or longest; else the best.",
         ),
-        _option(
-            WHAT, "--access-limit-km", type=float,
-            help="How far from every road a place may be; else 50.",
-        ),
-        _option(
-            WHAT, "--profile",
-            help="Vehicle of trips that name none: eu-40t, eu-lng, us-80k-lb, van-3.5t, ...",
-        ),
-        _option(
-            WHAT, "--close", multiple=True, metavar="ROAD",
-            help='A road that counts as closed: "way 123", "lon, lat", "A 22"; as often as needed.',
-        ),
-        _option(
+        section_option(WHAT, "--optimum", help="Whose cost is least: member or system."),
+        section_option(WHAT, "--method", help="dijkstra (exact) or astar (the paper's)."),
+        section_option(WHAT, "--company", help="Platoons anywhere, or with the master alone."),
+        section_option(WHAT, "--lead", help="Who leads: master, or rotated for all in turns."),
+        section_option(WHAT, "--max-platoon", type=int, help="Vehicles of the largest platoon."),
+        shared_option(WHAT, "--patience-min"),
+        shared_option(WHAT, "--access-limit-km"),
+        shared_option(WHAT, "--profile"),
+        shared_option(WHAT, "--close"),
+        section_option(
             WHAT, "--rules", type=rules_named,
             help="Driving rules by which breaks and rests are planned; they stand below.",
         ),
-        _option(
+        section_option(
             WHAT, "--task-relief", type=float,
             help="How much a follower's clock slows under them: 0, as in law, to 1.",
         ),
-        _option(
+        section_option(
             WHAT, "--objective", "--preset", "preset",
             help="What is to be least: eu, us, fuel, paper, ...; they stand below.",
         ),
-        _option(
+        section_option(
             WHAT, "--delay-spread-min", type=float,
             help="Spread of a vehicle's delay [min]; the chance of each merge is then told.",
         ),
-        _option(
+        section_option(
             WHAT, "--robust", is_flag=True, default=None,
             help="Take the plan that is expected to save most with delays, not the cheapest.",
         ),
-        _option(
+        section_option(
             WHAT, "--share",
             help="How a gain in money is shared: equal, shapley or least-core.",
         ),
-        _option(
-            WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
-            help="A figure of the objective, as fuel_per_l=1.5; as often as needed.",
-        ),
-        _option(WHERE, "--network", help="A bundled map's name or a file."),
-        _option(WHERE, "--classes", type=classes_of, help="Highway values to load, with commas."),
-        _option(WHERE, "--country", help="Whose truck speed limit applies: IT, de, US-CA, ..."),
-        _option(WHERE, *LIMITER, type=float, help="Speed limiter of the trucks [km/h]."),
-        _option(
-            WHERE, "--infer-links", is_flag=True, default=None,
-            help="Add likely connectors where the map lacks ramps; they are marked inferred.",
-        ),
+        costs_option(WHAT),
+        *network_typed(WHERE, required=False),
     )  # fmt: skip
     for add in reversed(options):
         verb = add(verb)
     return verb
 
 
-def _option(section: str, *names: str, **more: Any) -> Callable[[Run], Run]:
-    if "type" in more and "metavar" not in more:
-        more["metavar"] = {FILE: "FILE", float: "NUMBER", int: "NUMBER"}.get(more["type"], "TEXT")
+def section_option(section: str, *names: str, **more: Any) -> Callable[[Run], Run]:
+    """Return what adds an option to a section of a verb's help.
+
+    Parameters
+    ----------
+    section : str
+        Title of the section.
+    *names : str
+        Of the option.
+    **more : object
+        As `click.option` takes it; a value is called by its type unless it is one of some words.
+
+    Returns
+    -------
+    callable
+        Takes the verb and returns it.
+    """
+    kind = more.get("type")
+    if kind is not None and "metavar" not in more and not isinstance(kind, click.Choice):
+        more["metavar"] = {FILE: "FILE", float: "NUMBER", int: "NUMBER"}.get(kind, "TEXT")
     return click.option(*names, cls=SectionOption, section=section, **more)
+
+
+def shared_option(section: str, name: str) -> Callable[[Run], Run]:
+    """Return what adds an option that every verb has which plans trips.
+
+    Parameters
+    ----------
+    section : str
+        Title of the section.
+    name : str
+        One of `SHARED`.
+
+    Returns
+    -------
+    callable
+        Takes the verb and returns it.
+    """
+    return section_option(section, name, **SHARED[name])
+
+
+def costs_option(section: str) -> Callable[[Run], Run]:
+    """Return what adds the option of single figures of an objective; see `costs_typed`.
+
+    Parameters
+    ----------
+    section : str
+        Title of the section.
+
+    Returns
+    -------
+    callable
+        Takes the verb and returns it.
+    """
+    return section_option(
+        section, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
+        help="A figure of the objective, as fuel_per_l=1.5; as often as needed.",
+    )  # fmt: skip
+
+
+def network_typed(section: str, *, required: bool) -> tuple[Callable[[Run], Run], ...]:
+    """Return what adds the options that say on which network trips are planned.
+
+    Parameters
+    ----------
+    section : str
+        Title of the section.
+    required : bool
+        Whether nothing else names the network.
+
+    Returns
+    -------
+    tuple of callable
+        Each takes the verb and returns it.
+    """
+    return (
+        section_option(
+            section, "--network", required=required, help="A bundled map's name or a file."
+        ),
+        section_option(
+            section, "--classes", type=classes_of, help="Highway values to load, with commas."
+        ),
+        section_option(
+            section, "--country", help="Whose truck speed limit applies: IT, de, US-CA, ..."
+        ),
+        section_option(section, *LIMITER, type=float, help="Speed limiter of the trucks [km/h]."),
+        section_option(
+            section, "--infer-links", is_flag=True, default=None,
+            help="Add likely connectors where the map lacks ramps; they are marked inferred.",
+        ),
+    )  # fmt: skip
 
 
 def asked_scenario(scenario: Path | None, given: dict[str, Any]) -> Scenario:

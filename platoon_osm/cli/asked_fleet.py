@@ -10,8 +10,16 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ..errors import ScenarioError
-from .asked import costs_typed, taken
-from .options import FILE, LIMITER, SectionOption, classes_of
+from .asked import (
+    NETWORK_KEYS,
+    costs_option,
+    costs_typed,
+    network_typed,
+    section_option,
+    shared_option,
+    taken,
+)
+from .options import FILE
 
 if TYPE_CHECKING:
     from ..planning.scenario.record import Scenario
@@ -24,7 +32,6 @@ Run = TypeVar("Run", bound=Callable[..., Any])
 
 WHAT, WHERE, HOW = "What to plan", "On which network", "How to search"
 
-NETWORK_KEYS = ("classes", "country", "limiter_kmh", "infer_links")
 OPTION_KEYS = ("max_platoon", "patience_min", "access_limit_km", "profile", "close")
 LIMIT_KEYS = ("time_s", "rounds", "seed", "threads", "routes", "per_trip", "min_gain")
 
@@ -42,88 +49,58 @@ def fleet_options(verb: Run) -> Run:
     callable
         The same, with the options.
     """
-    number, file = "NUMBER", "FILE"
     options = (
-        _option(WHAT, "--sheet", help="Sheet or layer of the table; else the first."),
-        _option(
-            WHAT, "--max-platoon", type=int, metavar=number,
+        section_option(WHAT, "--sheet", help="Sheet or layer of the table; else the first."),
+        section_option(
+            WHAT, "--max-platoon", type=int,
             help="Vehicles of the largest platoon; else any.",
         ),
-        _option(
+        section_option(
             WHAT, "--routes", type=click.Choice(("free", "given")), default="free",
             help="Whether trucks may leave their cheapest routes for company; else free.",
         ),
-        _option(
+        section_option(
             WHAT, "--per-trip", type=click.Choice(("many", "one")), default="many",
             help="How many platoons a trip may have, one after the other; else many.",
         ),
-        _option(
-            WHAT, "--min-gain", type=float, default=0.0, metavar=number,
+        section_option(
+            WHAT, "--min-gain", type=float, default=0.0,
             help="What a platoon has to save, in the unit of costs; else 0.",
         ),
-        _option(
-            WHAT, "--flexibility", "flexibility_min", type=float, metavar=number,
+        section_option(
+            WHAT, "--flexibility", "flexibility_min", type=float,
             help="Minutes by which a trip that names no latest arrival may take longer than alone.",
         ),
-        _option(
-            WHAT, "--patience-min", type=float, metavar=number,
-            help="Minutes by which company may move who names no window.",
-        ),
-        _option(
-            WHAT, "--apart", type=FILE, metavar=file,
+        shared_option(WHAT, "--patience-min"),
+        section_option(
+            WHAT, "--apart", type=FILE,
             help="CSV of two columns: vehicles that must not drive together.",
         ),
-        _option(
-            WHAT, "--profile",
-            help="Vehicle of trips that name none: eu-40t, eu-lng, us-80k-lb, van-3.5t, ...",
+        shared_option(WHAT, "--profile"),
+        shared_option(WHAT, "--close"),
+        shared_option(WHAT, "--access-limit-km"),
+        section_option(
+            WHAT, "--objective", "preset", help="What is to be least: eu, us, fuel, paper.",
         ),
-        _option(
-            WHAT, "--close", multiple=True, metavar="ROAD",
-            help='A road that counts as closed: "way 123", "lon, lat", "A 22"; as often as needed.',
-        ),
-        _option(
-            WHAT, "--access-limit-km", type=float, metavar=number,
-            help="How far from every road a place may be; else 50.",
-        ),
-        _option(WHAT, "--objective", "preset", help="What is to be least: eu, us, fuel, paper."),
-        _option(
-            WHAT, "--cost", "costs", multiple=True, metavar="NAME=VALUE",
-            help="A figure of the objective, as fuel_per_l=1.5; as often as needed.",
-        ),
-        _option(WHERE, "--network", required=True, help="A bundled map's name or a file."),
-        _option(
-            WHERE, "--classes", type=classes_of, metavar="TEXT",
-            help="Highway values to load, with commas.",
-        ),
-        _option(WHERE, "--country", help="Whose truck speed limit applies: IT, de, US-CA, ..."),
-        _option(
-            WHERE, *LIMITER, type=float, metavar=number, help="Speed limiter of the trucks [km/h].",
-        ),
-        _option(
-            WHERE, "--infer-links", is_flag=True, default=None,
-            help="Add likely connectors where the map lacks ramps; they are marked inferred.",
-        ),
-        _option(
-            HOW, "--time-limit", "time_s", type=float, metavar=number,
+        costs_option(WHAT),
+        *network_typed(WHERE, required=True),
+        section_option(
+            HOW, "--time-limit", "time_s", type=float,
             help="Seconds to search; else 60, or until --rounds are done.",
         ),
-        _option(
-            HOW, "--rounds", type=int, metavar=number,
+        section_option(
+            HOW, "--rounds", type=int,
             help="Rounds to search; alone, the plan is the same on every machine.",
         ),
-        _option(HOW, "--seed", type=int, default=0, metavar=number, help="Of the draws; else 0."),
-        _option(
-            HOW, "--threads", type=int, metavar=number,
+        section_option(HOW, "--seed", type=int, default=0, help="Of the draws; else 0."),
+        section_option(
+            HOW, "--threads", type=int,
             help="Cores to use, else all; the plan does not depend on it.",
         ),
     )  # fmt: skip
     for add in reversed(options):
         verb = add(verb)
     return verb
-
-
-def _option(section: str, *names: str, **more: Any) -> Callable[[Run], Run]:
-    return click.option(*names, cls=SectionOption, section=section, **more)
 
 
 def asked_fleet(file: Path, table: FleetTable, given: dict[str, Any]) -> Scenario:

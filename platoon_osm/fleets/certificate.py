@@ -6,7 +6,6 @@ anything that planned it.
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Sequence
 from decimal import Decimal
@@ -15,10 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..atomic_file import whole_file
 from ..network.placed import PlacedNetwork
+from ..plans.json_file import write_json_file
 from ..plans.plan import Plan
-from ..shown_text import well_formed
 from .bound.shares import Shares
 from .lanes import TICK_S
 from .model import FleetModel
@@ -119,9 +117,7 @@ def write_fleet(plan: Plan, certificate: dict[str, Any], path: str | os.PathLike
     whole = {
         "format": FORMAT, "version": VERSION, "plan": plan.to_dict(), "certificate": certificate,
     }  # fmt: skip
-    text = well_formed(json.dumps(whole, ensure_ascii=False, separators=(",", ":"))) + "\n"
-    with whole_file(path, suffixes=(".json",)) as draft:
-        draft.write_text(text, encoding="utf-8", newline="\n")
+    write_json_file(whole, path, compact=True)
 
 
 def _list(array: Ints | NDArray[np.float64]) -> list[int]:

@@ -123,6 +123,7 @@ class Solver:
             What it gains [grains].
         bound : float
             What no solution gains more than [grains].
+        None instead of all three if nothing was found in time, or it was asked to give up.
 
         Raises
         ------

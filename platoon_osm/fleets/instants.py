@@ -55,7 +55,7 @@ def entries_of(instance: Instance, most: int = MOST_ENTRIES) -> Entries | None:
     Raises
     ------
     ScenarioError
-        Waiting has a price, or departures a last moment: then more instants matter.
+        Waiting has a price: then more instants matter.
     """
     if instance.waiting:
         raise ScenarioError("fleet: the exact model takes waiting as free; use the bound instead")

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ..plans.fleet import gap_on_savings
+
 __all__ = ["Progress"]
 
 
@@ -31,4 +33,4 @@ class Progress:
     @property
     def gap(self) -> float:
         """By what share of the bound more could be saved at most."""
-        return max(0.0, (self.bound - self.saving) / self.bound) if self.bound > 0 else 0.0
+        return gap_on_savings(self.saving, self.bound)

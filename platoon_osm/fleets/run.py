@@ -277,12 +277,7 @@ class FleetRun:
             self.limits.per_trip == "one" or self.exact.cost <= self.search.cost
         ):
             return self.exact.ways
-        best = self.search.best
-        counts = best.count.tolist()
-        return (
-            [best.lanes[k, :n].astype(np.int64) for k, n in enumerate(counts)],
-            [best.departs[k, :n] for k, n in enumerate(counts)],
-        )
+        return self.search.best.ways()
 
     def _finished(self, ended: str, write: bool = True) -> Plan:
         """Return the plan as it is now, and write it if that is wanted."""

@@ -14,7 +14,7 @@ from typing import Any
 from ..errors import ScenarioError, brief
 from ..kinds import is_number
 
-__all__ = ["ENDED", "FleetRecord", "Moment", "Unserved"]
+__all__ = ["ENDED", "FleetRecord", "Moment", "Unserved", "gap_on_savings"]
 
 ENDED = {
     "proved": "less than a hundred-thousandth of it more can be saved",
@@ -24,6 +24,24 @@ ENDED = {
     "interrupted": "it was interrupted",
 }
 """Why a search ended, and how that is told."""
+
+
+def gap_on_savings(saving: float, most: float) -> float:
+    """Return by what share of the most that can be saved more could be at most.
+
+    Parameters
+    ----------
+    saving : float
+        What a plan saves.
+    most : float
+        What no plan saves more than.
+
+    Returns
+    -------
+    float
+        (most - saving) / most; 0 if nothing can be saved.
+    """
+    return max(0.0, (most - saving) / most) if most > 0 else 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +166,7 @@ class FleetRecord:
     @property
     def gap(self) -> float:
         """By what share of `most` more could be saved at most; 0 if nothing can be saved."""
-        return max(0.0, (self.most - self.saving) / self.most) if self.most > 0 else 0.0
+        return gap_on_savings(self.saving, self.most)
 
     @property
     def saved_share(self) -> float:

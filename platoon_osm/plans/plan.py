@@ -10,15 +10,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..atomic_file import whole_file
 from ..errors import ScenarioError, brief
 from ..offers import offered
-from ..shown_text import well_formed
 from .bill import Bill
 from .chances import Chances
 from .checker import check_parts
 from .fleet import FleetRecord
 from .gain import GainSharing
+from .json_file import write_json_file
 from .json_form import PLAN_VERSION, plan_from_dict
 from .money_checks import check_money
 from .proof import Proof
@@ -302,9 +301,7 @@ class Plan:
         ScenarioError
             The file cannot be written.
         """
-        text = well_formed(json.dumps(self.to_dict(), indent=1, ensure_ascii=False)) + "\n"
-        with whole_file(path, suffixes=(".json",)) as draft:
-            draft.write_text(text, encoding="utf-8", newline="\n")
+        write_json_file(self.to_dict(), path)
 
     @classmethod
     def read_json(cls, path: str | os.PathLike[str]) -> Plan:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import PlatoonError
+from ...plans.fleet import gap_on_savings
 from ..bound.bound import Bound
 from ..companies import companies_of
 from ..exact import Ways
@@ -55,9 +56,7 @@ class DutchResult:
     @property
     def gap_pct(self) -> float:
         """By what share of the bound more could be saved at most [%]."""
-        if self.bound_pct <= 0:
-            return 0.0
-        return 100 * max(0.0, self.bound_pct - self.saving_pct) / self.bound_pct
+        return 100 * gap_on_savings(self.saving_pct, self.bound_pct)
 
 
 def solved(
@@ -134,13 +133,7 @@ def _helped(instance: Instance, found: Exact) -> tuple[Ways, int, int]:
     most = min(found.bound, alone - bound.certified()[1])
     if alone - search.cost <= found.saving:
         return found.ways, found.saving, most
-    best = search.best
-    counts = best.count.tolist()
-    ways = (
-        [best.lanes[k, :n].astype(np.int64) for k, n in enumerate(counts)],
-        [best.departs[k, :n] for k, n in enumerate(counts)],
-    )
-    return ways, alone - search.cost, most
+    return search.best.ways(), alone - search.cost, most
 
 
 def _together(instance: Instance, lanes: list[Ints], departs: list[Ints]) -> tuple[float, float]:

@@ -77,6 +77,20 @@ class Schedules:
         truck = np.repeat(np.arange(len(self.count), dtype=np.int64), self.count)
         return truck, self.lanes[used].astype(np.int64), self.departs[used]
 
+    def ways(self) -> tuple[list[Ints], list[Ints]]:
+        """Return what each truck drives, as lists of their own.
+
+        Returns
+        -------
+        lanes, departs : list of ndarray of int64, (N, ...)
+            In driving order, and when it enters them [ticks].
+        """
+        counts = self.count.tolist()
+        return (
+            [self.lanes[k, :n].astype(np.int64) for k, n in enumerate(counts)],
+            [self.departs[k, :n] for k, n in enumerate(counts)],
+        )
+
     def companies(self) -> tuple[Ints, Ints, Ints]:
         """Return all companies, of one truck too.
 
