@@ -123,12 +123,16 @@ class Solver:
             What it gains [grains].
         bound : float
             What no solution gains more than [grains].
-        None instead of all three if nothing was found in time, or it was asked to give up.
 
         Raises
         ------
         PlatoonError
             The process ended before its answer.
+
+        Notes
+        -----
+        None is returned instead of all three if nothing was found in time, or if it was asked to
+        give up.
         """
         if self._process is None or not self._process.is_alive():
             self._begin()
