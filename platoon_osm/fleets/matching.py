@@ -7,13 +7,14 @@ method of rustworkx on whole numbers, so nothing is rounded.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .instance import Instance
-from .pairs import PairOffer, alone_ways, pair_offers
+from .labels import alone_ways
+from .pairs import PairOffer, pair_offers
 
 __all__ = ["matched", "matched_pairs"]
 
@@ -45,7 +46,9 @@ def matched(trucks: int, offers: Sequence[PairOffer]) -> list[PairOffer]:
     return [offers[place] for place in places]
 
 
-def matched_pairs(instance: Instance, least: int = 0) -> tuple[list[Ints], list[Ints], int]:
+def matched_pairs(
+    instance: Instance, least: int = 0, apart: Collection[tuple[int, int]] = ()
+) -> tuple[list[Ints], list[Ints], int]:
     """Return the best plan with one platoon of two a trip.
 
     Parameters
@@ -54,6 +57,8 @@ def matched_pairs(instance: Instance, least: int = 0) -> tuple[list[Ints], list[
         The problem; waiting must be free.
     least : int
         What a pair has to save [grains].
+    apart : collection of (int, int)
+        Trucks that must not drive together, the lower number first.
 
     Returns
     -------
@@ -63,7 +68,11 @@ def matched_pairs(instance: Instance, least: int = 0) -> tuple[list[Ints], list[
         What it saves; no plan with one platoon of two a trip saves more [grains].
     """
     lanes, departs = alone_ways(instance)
-    offers = [offer for offer in pair_offers(instance) if offer.saving >= least]
+    offers = [
+        offer
+        for offer in pair_offers(instance)
+        if offer.saving >= least and (offer.first, offer.second) not in apart
+    ]
     chosen = matched(instance.trucks, offers)
     for offer in chosen:
         for place, k in enumerate((offer.first, offer.second)):

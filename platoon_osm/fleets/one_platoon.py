@@ -7,6 +7,7 @@ meet by accident, other ticks are drawn.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 import numpy as np
@@ -25,7 +26,9 @@ MOST_TICKS = 1000
 """A tenth of a second."""
 
 
-def one_platoon(instance: Instance, seed: int, least: int = 0) -> tuple[Ways, int]:
+def one_platoon(
+    instance: Instance, seed: int, least: int = 0, apart: Collection[tuple[int, int]] = ()
+) -> tuple[Ways, int]:
     """Return the best plan with one platoon of two a trip.
 
     Parameters
@@ -36,6 +39,8 @@ def one_platoon(instance: Instance, seed: int, least: int = 0) -> tuple[Ways, in
         Of the ticks.
     least : int
         What a pair has to save [grains].
+    apart : collection of (int, int)
+        Trucks that must not drive together, the lower number first.
 
     Returns
     -------
@@ -56,6 +61,7 @@ def one_platoon(instance: Instance, seed: int, least: int = 0) -> tuple[Ways, in
             "trips have many"
         )
     rng = np.random.default_rng(seed)
+    forbidden = frozenset(apart)
     room = np.minimum(MOST_TICKS, _room(instance))
     for _ in range(DRAWS):
         later = rng.integers(0, room + 1)
@@ -64,8 +70,10 @@ def one_platoon(instance: Instance, seed: int, least: int = 0) -> tuple[Ways, in
             earliest=instance.earliest + later,
             opens=np.minimum(instance.opens + later[instance.pair_truck], instance.closes),
         )
-        lanes, departs, saving = matched_pairs(moved, least)
-        if all(_has_one(own) for own in companies_of(instance, lanes, departs)):
+        lanes, departs, saving = matched_pairs(moved, least, forbidden)
+        companies = companies_of(instance, lanes, departs)
+        met = {company for own in companies for company in own}
+        if all(map(_has_one, companies)) and forbidden.isdisjoint(met):
             return (lanes, departs), saving
     raise ScenarioError(
         "fleet: trucks meet by accident beside their one platoon, whatever is drawn; give them "

@@ -168,15 +168,11 @@ class FleetRun:
 
     def _matched(self) -> str:
         """Plan one platoon of two a trip; return why it ended."""
-        if self.apart:
-            raise ScenarioError(
-                "fleet: one platoon a trip is not planned with vehicles that must keep apart; let "
-                "trips have many"
-            )
         ways, saving = one_platoon(
             self.model.instance,
             self.limits.seed,
             math.ceil(self.limits.min_gain * self.model.lanes.grains),
+            self.apart.pairs,
         )
         self.exact = _Exact(ways, self.alone - saving, self.alone - saving)
         self._tell()

@@ -161,7 +161,12 @@ def test_a_matching_is_as_good_as_that_of_networkx(seed):
 @pytest.mark.parametrize("seed", range(25))
 def test_one_platoon_a_trip_is_the_best_choice_of_pairs(seed):
     instance = drawn(seed, trucks=5, largest=2)
-    worth = {(one.first, one.second): one.saving for one in pair_offers(instance)}
+    apart = [(0, 1), (2, 4)] if seed % 2 else []
+    worth = {
+        (one.first, one.second): one.saving
+        for one in pair_offers(instance)
+        if (one.first, one.second) not in apart
+    }
 
     def best(trucks):
         if len(trucks) < 2:
@@ -177,7 +182,7 @@ def test_one_platoon_a_trip_is_the_best_choice_of_pairs(seed):
             ]
         )
 
-    lanes, departs, saving = matched_pairs(instance)
+    lanes, departs, saving = matched_pairs(instance, apart=apart)
     assert saving == best(list(range(5)))
     check_ways(instance, (lanes, departs))
 
@@ -196,6 +201,27 @@ def test_nobody_has_a_second_platoon_by_accident():
         for own in companies_of(instance, lanes, departs):
             assert len({company for company in own if len(company) > 1}) <= 1
     assert planned > 6
+
+
+def test_trucks_that_keep_apart_are_no_pair():
+    kept = 0
+    for seed in range(12):
+        instance = drawn(seed, trucks=5, largest=2, slack=3000)
+        offers = pair_offers(instance)
+        if not offers:
+            continue
+        best = max(offers, key=lambda one: one.saving)
+        apart = [(best.first, best.second)]
+        try:
+            (lanes, departs), saving = one_platoon(instance, seed, apart=apart)
+            free = one_platoon(instance, seed)[1]
+        except ScenarioError:
+            continue  # a window of no ticks to spare
+        assert saving <= free
+        kept += 1
+        met = {company for own in companies_of(instance, lanes, departs) for company in own}
+        assert apart[0] not in met
+    assert kept > 3
 
 
 def test_one_platoon_of_three_is_refused_in_one_line():
