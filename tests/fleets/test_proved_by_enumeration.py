@@ -32,7 +32,8 @@ def told_shares(instance, shares):
 def test_no_bound_is_above_the_least_cost(part):
     tight = 0
     for seed in range(20 * part, 20 * part + 20):
-        instance = random_instance(seed)
+        waiting = (0, 0, 1, 5)[seed % 4]
+        instance = random_instance(seed, waiting=waiting, trucks=2 + seed % 3 if waiting else None)
         best = optimum(instance)
         bound = Bound(instance, seed=seed)
         for steps in (1, 5, 60):

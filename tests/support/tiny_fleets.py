@@ -34,6 +34,12 @@ def all_schedules(fleet, k):
     return found
 
 
+def waiting_cost(fleet, schedule):
+    """Return what a schedule pays for waiting on the road."""
+    ends = [at + int(fleet.drive[lane]) for lane, at in schedule[:-1]]
+    return fleet.waiting * sum(at - end for end, (_, at) in zip(ends, schedule[1:], strict=True))
+
+
 def linear_bound(fleet, schedules):
     """Return the value of the linear program over mixes of schedules and of companies."""
     columns, rows, costs, right = [], {}, [], []
@@ -52,7 +58,7 @@ def linear_bound(fleet, schedules):
                 column[row((k, cell), 0.0)] = 1.0
                 present.setdefault(cell, set()).add(k)
             columns.append(column)
-            costs.append(0.0)
+            costs.append(float(waiting_cost(fleet, schedule)))
     most = fleet.largest or len(schedules)
     for cell, trucks in present.items():
         for n in range(1, min(most, len(trucks)) + 1):
@@ -119,5 +125,8 @@ def cost_under(fleet, shares, schedules):
                 share = shares.share[shares.first_share[j] + bucket - shares.first_bucket[j]]
             return min(fleet.alone[lane], fleet.member[lane] + share)
 
-        total += min(sum(price(*cell) for cell in schedule) for schedule in own)
+        total += min(
+            sum(price(*cell) for cell in schedule) + waiting_cost(fleet, schedule)
+            for schedule in own
+        )
     return int(total)

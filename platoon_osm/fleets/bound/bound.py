@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import ScenarioError
 from ..instance import Instance
 from .ascent import Volume
 from .buckets import Buckets, Clock, bucketed, inherited
@@ -98,18 +97,9 @@ class Bound:
         What they tell the search for a plan.
     settled : bool
         Whether nothing more is to be gained.
-
-    Raises
-    ------
-    ScenarioError
-        A price of waiting, which the bound does not know.
     """
 
     def __init__(self, instance: Instance, threads: int = 1, seed: int = 0) -> None:
-        if instance.waiting:
-            raise ScenarioError(
-                "fleet: the bound does not know a price of waiting; use an objective without"
-            )
         self._instance, self._threads, self._seed = instance, threads, seed
         self._clock = Clock.of(instance)
         self._every = ways_of(instance, np.arange(instance.pairs))

@@ -13,15 +13,15 @@ that cost by a part in 10^12, which is far more than rounding makes.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
 from ...search.hierarchy.runtime.jit import compiled, made_known
+from .leaving import leaves_at
+from .prices import Prices, Routes
 from .ways import Ways
 
-__all__ = ["Prices", "Routes", "cheapest", "told_schedules"]
+__all__ = ["Prices", "Routes", "cheapest", "least_onward", "popped", "pushed", "told_schedules"]
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -31,49 +31,6 @@ FAR = 2.0**60
 
 TOLERANCE = 1e-12
 """Of costs: rounding in a sum of some hundred terms stays below a hundredth of it."""
-
-
-class Prices(NamedTuple):
-    """What pairs cost in each bucket.
-
-    Attributes
-    ----------
-    member : ndarray of float64, (K,)
-        What a member of a platoon pays on each pair's lane [grains].
-    first_bucket : ndarray of int64, (K,)
-        The bucket in which each pair's window opens.
-    first_share : ndarray of int64, (K + 1,)
-        Where its shares begin.
-    starts : ndarray of int64, (B,)
-        First instants of buckets [ticks].
-    share : ndarray of float64, (S,)
-        What is paid beyond `member` [grains].
-    """
-
-    member: Floats
-    first_bucket: Ints
-    first_share: Ints
-    starts: Ints
-    share: Floats
-
-
-class Routes(NamedTuple):
-    """The cheapest schedules found last.
-
-    Attributes
-    ----------
-    pair, entry : ndarray of int64, (places,)
-        Pairs and positions of shares, truck by truck where its places begin.
-    length : ndarray of int64, (N,)
-        How many lanes; -1 before the first search.
-    cost : ndarray of float64, (N,)
-        What each costs [grains].
-    """
-
-    pair: Ints
-    entry: Ints
-    length: Ints
-    cost: Floats
 
 
 def _over_lane(
@@ -166,8 +123,18 @@ def _merged(
     return at
 
 
-def _least_onward(k: int, ways: Ways, prices: Prices, least: Floats, onward: Floats) -> None:
-    """Work out the least share of each pair, and what getting on from each place costs at least."""
+def least_onward(k: int, ways: Ways, prices: Prices, least: Floats, onward: Floats) -> None:
+    """Work out the least share of each pair, and what getting on from each place costs at least.
+
+    Parameters
+    ----------
+    k : int
+        The truck.
+    ways, prices : Ways, Prices
+        Its network, and what its pairs cost.
+    least, onward : ndarray of float64
+        Are filled: of its pairs, and of its places [grains].
+    """
     begin, end = ways.first[k], ways.first[k + 1]
     for p in range(begin, end):
         lowest = prices.share[prices.first_share[p]]
@@ -191,8 +158,23 @@ def _least_onward(k: int, ways: Ways, prices: Prices, least: Floats, onward: Flo
             return
 
 
-def _pushed(heap: Ints, size: int, one: int, time: Ints) -> int:
-    """Put a label on a heap in order of time."""
+def pushed(heap: Ints, size: int, one: int, time: Ints) -> int:
+    """Put a label on a heap in order of time.
+
+    Parameters
+    ----------
+    heap : ndarray of int64
+        Labels.
+    size, one : int
+        How many there are, and the new one.
+    time : ndarray of int64
+        Of all labels [ticks].
+
+    Returns
+    -------
+    int
+        How many there are now.
+    """
     at = size
     while at > 0:
         above = (at - 1) >> 1
@@ -204,8 +186,23 @@ def _pushed(heap: Ints, size: int, one: int, time: Ints) -> int:
     return size + 1
 
 
-def _popped(heap: Ints, size: int, time: Ints) -> int:
-    """Take the first label, heap[0], off a heap."""
+def popped(heap: Ints, size: int, time: Ints) -> int:
+    """Take the first label, heap[0], off a heap.
+
+    Parameters
+    ----------
+    heap : ndarray of int64
+        Labels.
+    size : int
+        How many there are.
+    time : ndarray of int64
+        Of all labels [ticks].
+
+    Returns
+    -------
+    int
+        How many are left.
+    """
     size -= 1
     one = heap[size]
     at = 0
@@ -223,7 +220,7 @@ def _popped(heap: Ints, size: int, time: Ints) -> int:
     return size
 
 
-for _helper in (_over_lane, _merged, _least_onward, _pushed, _popped):
+for _helper in (_over_lane, _merged, least_onward, pushed, popped):
     made_known(_helper)
 
 
@@ -280,7 +277,7 @@ def cheapest(
                 limit += prices.member[routes.pair[i]] + prices.share[routes.entry[i]]
             limit -= limit * TOLERANCE
         if pruned:
-            _least_onward(k, ways, prices, least, onward)
+            least_onward(k, ways, prices, least, onward)
             if onward[ways.source[k]] >= limit:
                 routes.cost[k] = limit
                 continue
@@ -318,10 +315,10 @@ def cheapest(
             for u in range(ways.first_place[k + 1] - at):
                 reached[u] = limit
             place[0] = ways.source[k]
-            size = _pushed(heap, 0, 0, time)
+            size = pushed(heap, 0, 0, time)
             while size > 0:
                 one = heap[0]
-                size = _popped(heap, size, time)
+                size = popped(heap, size, time)
                 u = place[one]
                 if cost[one] >= reached[u]:
                     continue
@@ -349,7 +346,7 @@ def cheapest(
                                 entry[top] = entry[x]
                                 pair[top] = p
                                 place[top] = ways.head[p]
-                                size = _pushed(heap, size, top, time)
+                                size = pushed(heap, size, top, time)
                                 top += 1
                     p += 1
         if found < 0:
@@ -372,12 +369,14 @@ def cheapest(
 
 @compiled
 def told_schedules(
-    ways: Ways, prices: Prices, routes: Routes, lane: Ints, lanes: Ints, departs: Ints
+    waits: bool, ways: Ways, prices: Prices, routes: Routes, lane: Ints, lanes: Ints, departs: Ints
 ) -> None:
     """Write down the lanes of schedules and when they are entered.
 
     Parameters
     ----------
+    waits : bool
+        Whether waiting on the road has a price, so that trucks leave late for it.
     ways, prices, routes : Ways, Prices, Routes
         As `cheapest` left them.
     lane : ndarray of int64, (K,)
@@ -387,6 +386,8 @@ def told_schedules(
     """
     for k in range(len(routes.length)):
         now = ways.earliest[k]
+        if waits and routes.length[k] > 0:
+            now = leaves_at(k, ways, prices, routes)
         for i in range(routes.length[k]):
             at = ways.first_place[k] + i
             p = routes.pair[at]

@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 from ..instance import Instance
 from .buckets import Buckets
 from .crews import Crew, chunks_of
-from .schedules import Prices, Routes, cheapest, told_schedules
+from .prices import Prices, Routes
+from .schedules import cheapest, told_schedules
+from .waiting import cheapest_waiting
 from .ways import Ways, ways_of
 
 __all__ = ["Searching"]
@@ -48,7 +50,7 @@ class Searching:
         ways: Ways | None = None,
     ) -> None:
         own = np.arange(instance.pairs) if every else buckets.pairs
-        self.pairs = own
+        self.pairs, self.waiting = own, instance.waiting
         self.ways = ways_of(instance, own) if ways is None else ways
         first_bucket, counts = buckets.first_bucket, np.diff(buckets.first_share)
         starts = buckets.starts
@@ -100,7 +102,14 @@ class Searching:
         def some(begin: int, end: int) -> float:
             room = self._room
             while begin >= 0:
-                stopped = cheapest(begin, end, room, pruned, self.ways, self.prices, self.routes)
+                if self.waiting:
+                    stopped = cheapest_waiting(
+                        begin, end, room, pruned, self.waiting, self.ways, self.prices, self.routes
+                    )
+                else:
+                    stopped = cheapest(
+                        begin, end, room, pruned, self.ways, self.prices, self.routes
+                    )
                 begin, room = stopped, 4 * room
             self._room = max(self._room, room // 4)
             return 0.0
@@ -124,5 +133,7 @@ class Searching:
         width = int(count.max()) if len(count) else 0
         lanes = np.zeros((len(count), width), np.int64)
         departs = np.zeros((len(count), width), np.int64)
-        told_schedules(self.ways, self.prices, self.routes, self.lane, lanes, departs)
+        told_schedules(
+            self.waiting > 0, self.ways, self.prices, self.routes, self.lane, lanes, departs
+        )
         return lanes.astype(np.int32), departs, count

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from ...search.hierarchy.runtime.jit import compiled
 from .buckets import Buckets, Clock
-from .schedules import Prices, Routes
+from .leaving import leaves_at
+from .prices import Prices, Routes
 from .searching import Searching
 from .ways import Ways
 
@@ -43,16 +44,16 @@ def cuts_of(clock: Clock, buckets: Buckets, searching: Searching) -> Ints:
     room = 2 * int(np.maximum(routes.length, 0).sum())
     lane, instant = np.empty(room, np.int64), np.empty(room, np.int64)
     count = _cuts(
-        searching.ways, searching.prices, routes, searching.lane, buckets.first_member, lane,
-        instant,
+        searching.waiting > 0, searching.ways, searching.prices, routes, searching.lane,
+        buckets.first_member, lane, instant,
     )  # fmt: skip
     return np.unique(clock.key(lane[:count], instant[:count]))
 
 
 @compiled
 def _cuts(
-    ways: Ways, prices: Prices, routes: Routes, lane: Ints, first_member: Ints, cut_lane: Ints,
-    cut: Ints,
+    waits: bool, ways: Ways, prices: Prices, routes: Routes, lane: Ints, first_member: Ints,
+    cut_lane: Ints, cut: Ints,
 ) -> int:  # fmt: skip
     """Write down lanes and instants of cuts, and return how many."""
     found = 0
@@ -60,6 +61,8 @@ def _cuts(
         first = ways.first_place[k]
         last = first + routes.length[k]
         now = ways.earliest[k]
+        if waits and last > first:
+            now = leaves_at(k, ways, prices, routes)
         for at in range(first, last):
             p = routes.pair[at]
             bucket = prices.first_bucket[p] + routes.entry[at] - prices.first_share[p]

@@ -6,8 +6,7 @@ from exhaustive import optimum, random_instance
 from soak import chosen, soaked
 from tiny_fleets import all_schedules, cost_under, linear_bound, valid_by_trying
 
-from platoon_osm.errors import ScenarioError
-from platoon_osm.fleets.bound import ascent, schedules, splitting, whole
+from platoon_osm.fleets.bound import ascent, schedules, splitting, waiting, whole
 from platoon_osm.fleets.bound.bound import Bound
 from platoon_osm.fleets.bound.warmth import warm_up
 
@@ -23,7 +22,7 @@ def fleet_of(seed, **asked):
     rng = np.random.default_rng(seed)
     return random_instance(
         seed, trucks=int(rng.integers(1, 5)), largest=int(rng.choice([0, 2, 3])),
-        given=bool(rng.integers(2)), **asked,
+        given=bool(rng.integers(2)), **{"waiting": int(rng.choice([0, 0, 1, 3, 8])), **asked},
     )  # fmt: skip
 
 
@@ -101,17 +100,14 @@ def test_a_fleet_of_trucks_that_never_meet_costs_what_they_cost_alone():
         assert Bound(fleet).certified()[1] == fleet.alone_cost.sum()
 
 
-def test_after_warming_up_nothing_is_compiled_any_more():
-    kernels = (schedules.cheapest, ascent._move, splitting._cuts, whole._made_valid)
-    warm_up()
+@pytest.mark.parametrize("price", [0, 2])
+def test_after_warming_up_nothing_is_compiled_any_more(price):
+    search = waiting.cheapest_waiting if price else schedules.cheapest
+    kernels = (search, ascent._move, splitting._cuts, whole._made_valid)
+    warm_up(price)
     before = [len(kernel.signatures) for kernel in kernels]
     assert min(before) == 1
-    bound = Bound(fleet_of(2))
+    bound = Bound(fleet_of(2, waiting=price))
     bound.improve(bound.cost * 1.01, 100, never)
     bound.certified()
     assert [len(kernel.signatures) for kernel in kernels] == before
-
-
-def test_a_price_of_waiting_is_refused():
-    with pytest.raises(ScenarioError, match="price of waiting"):
-        Bound(random_instance(1, waiting=2))
