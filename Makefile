@@ -1,7 +1,8 @@
 # Targets: demo (plan and draw the bundled corridor), test (lint, then tests), lint (style,
-# docstrings, types, pages), kernels (compile the fast engine), bench (speed ratios), soak
-# (property tests on ROUNDS x new random inputs, and tests that have more cases there),
-# screenshots (pictures of the demo page), lock (renew the pinned dependencies), clean.
+# docstrings, types, pages), kernels (compile the fast engine), bench (speed ratios), fleets
+# (tables and curves of docs/fleets.md: hours, but what is measured stays), soak (property tests on
+# ROUNDS x new random inputs, and tests that have more cases there), screenshots (pictures of
+# the demo page), lock (renew the pinned dependencies), clean.
 
 PYTHON ?= python3
 VENV := .venv
@@ -14,7 +15,7 @@ WORKERS ?= $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))
 STAMP := $(VENV)/.installed
 DEV_STAMP := $(VENV)/.installed-dev
 
-.PHONY: demo test lint kernels bench soak screenshots lock clean
+.PHONY: demo test lint kernels bench fleets soak screenshots lock clean
 
 demo: $(STAMP)
 	$(BIN)/platoon-osm demo -o out
@@ -37,6 +38,10 @@ kernels: $(STAMP)
 
 bench: $(DEV_STAMP)
 	$(BIN)/python -m benchmarks
+
+fleets: $(DEV_STAMP)
+	$(BIN)/python -m benchmarks.fleets
+	$(BIN)/python -m benchmarks.fleets --curves
 
 soak: $(DEV_STAMP)
 	for round in $$(seq $(ROUNDS)); do \
