@@ -74,7 +74,7 @@ def read_cells(path: Path) -> dict[Cell, Figures]:
                 float(row["seconds"]),
                 float(row["peak_mb"]),
                 row["ended"],
-            )  # fmt: skip
+            )
             for row in csv.DictReader(handle)
         }
 
