@@ -26,6 +26,7 @@ __all__ = [
     "instance_of",
     "optimum",
     "random_instance",
+    "schedules_of",
     "slow_optimum",
 ]
 
@@ -71,14 +72,19 @@ def optimum(
     earliest departure and the lanes it or its companions drove since; a price of waiting brings in
     what can be told from latest departures and arrivals, forward and backward.
     """
-    instants = _instants(instance)
-    choices = [_schedules(instance, k, instants, most_schedules) for k in range(instance.trucks)]
+    choices = schedules_of(instance, most_schedules)
     if only is not None:
         choices = [
             [own for own in some if all((k, lane) in only for lane, _ in own)]
             for k, some in enumerate(choices)
         ]
     return _least(instance, choices)
+
+
+def schedules_of(instance: Instance, most: int = 40_000) -> list[list[Schedule]]:
+    """Return all schedules of each truck at the instants that matter."""
+    instants = _instants(instance)
+    return [_schedules(instance, k, instants, most) for k in range(instance.trucks)]
 
 
 def slow_optimum(instance: Instance) -> Best:

@@ -1,0 +1,1 @@
+"""Platoons of a few trucks that form from several places, exactly."""
