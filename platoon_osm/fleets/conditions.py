@@ -42,6 +42,7 @@ def conditions_of(model: FleetModel, limits: Limits) -> tuple[str, ...]:
     if len(np.unique(instance.kind)) > 1:
         found.append("only vehicles of one kind, and of one carrier if it is named, drive together")
     if limits.per_trip == "one":
+        found.append("each trip joins one platoon at most, once, and a platoon does not stop")
         found.append("the certificate's bound is that of trips with many platoons")
     if limits.apart:
         found.append("the bound lets all drive together, also those that must not")

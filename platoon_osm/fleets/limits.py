@@ -38,7 +38,8 @@ class Limits:
     routes : {"free", "given"}
         Whether trucks may leave their cheapest routes alone for company.
     per_trip : {"many", "one"}
-        How many platoons a trip may have, one after the other.
+        How many platoons a trip may have, one after the other. With one, the largest platoon
+        counts all that are ever in it.
     min_gain : float
         What a platoon has to save from its merging to its separation, in the unit of costs.
     apart : tuple of (str, str)

@@ -73,6 +73,9 @@ REFUSALS = 40
 SMALL = 60_000
 """The exact model is tried with at most so many entries of a truck into a lane at an instant."""
 
+ONE_PLATOON = 0.5
+"""With one platoon of more than two a trip, the plan is made in this share of the time."""
+
 WRITING = 0.05
 """At most this share of the time goes into writing what is best so far."""
 
@@ -128,7 +131,7 @@ class FleetRun:
     def plan(self) -> Plan:
         """Search to the end of the course and return the plan."""
         if self.limits.per_trip == "one":
-            return self._finished(self._matched())
+            return self._finished(self._one_a_trip())
         course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
         ended = self._follow(course)
         if not self.limits.min_gain:
@@ -166,17 +169,32 @@ class FleetRun:
         """Let a round be done whole."""
         return False
 
-    def _matched(self) -> str:
-        """Plan one platoon of two a trip; return why it ended."""
+    def _one_a_trip(self) -> str:
+        """Plan one platoon a trip; return why it ended."""
+        at, limit = self.course, self.limits.time_s
         ways, saving = one_platoon(
             self.model.instance,
             self.limits.seed,
             math.ceil(self.limits.min_gain * self.model.lanes.grains),
             self.apart.pairs,
+            stop=at.until(ONE_PLATOON),
+            time_s=None if limit is None else ONE_PLATOON * limit,
         )
-        self.exact = _Exact(ways, self.alone - saving, self.alone - saving)
+        cost = self.alone - saving
+        proved = self.model.instance.largest == 2
+        self.exact = _Exact(ways, cost, cost if proved else 0)
         self._tell()
-        return "proved"
+        until = COURSE[-1][1]
+        stop = at.until(until)
+        while not (self._proved or self.bound.settled or stop() or at.share >= until):
+            self.bound.improve(float(cost), STEPS, stop)
+            at.rounds += 1
+            self._tell()
+        if at.interrupted:
+            return "interrupted"
+        if self._proved:
+            return "proved"
+        return "time" if limit and at.share >= until else "rounds"
 
     def _follow(self, course: tuple[tuple[str, float], ...]) -> str:
         """Do what the course says; return why it ended."""

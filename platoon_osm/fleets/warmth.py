@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from .bound import warmth as bound
+from .joining import Joining
 from .lanes import Lanes
 from .matching import matched_pairs
+from .one_group import group_of
+from .pairs import pair_offers
 from .plan import warmth as plan
 from .shifting import shifted
 from .windows import Wanted, paired
@@ -32,3 +35,9 @@ def warm_up() -> None:
     instance, _ = paired(lanes, wanted, given=False, largest=2)
     ways, departs, _ = matched_pairs(instance)
     shifted(instance, ways, departs)
+    joining, offers = Joining(instance), pair_offers(instance)
+    for one in offers:
+        pair = (one.first, one.second)
+        group = group_of(instance, joining.windows, pair, one.lanes, one.departs)
+        if group is not None:
+            joining.gains(group, [])

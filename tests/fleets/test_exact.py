@@ -222,8 +222,3 @@ def test_trucks_that_keep_apart_are_no_pair():
         met = {company for own in companies_of(instance, lanes, departs) for company in own}
         assert apart[0] not in met
     assert kept > 3
-
-
-def test_one_platoon_of_three_is_refused_in_one_line():
-    with pytest.raises(ScenarioError, match="give max_platoon 2"):
-        one_platoon(drawn(1, largest=3), 0)

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from datetime import datetime, timedelta
 
 import numpy as np
@@ -154,6 +155,24 @@ def test_one_platoon_a_trip(net):
     for index, way in enumerate(plan.ways):
         company = [plan.stretches[k].company for k in way if plan.stretches[k].together]
         assert len(set(company)) <= 1, index
+
+
+def test_one_platoon_of_any_size_a_trip(net):
+    saved = []
+    for largest in (2, 3, None):
+        problem = asked(net, 30, max_platoon=largest)
+        limits = po.Limits(time_s=None, rounds=2, per_trip="one", apart=[("T1", "T2")])
+        plan = po.plan_fleet(problem, limits)
+        found = [vehicle for one in convoys_of(plan) for vehicle in one.vehicles]
+        assert len(found) == len(set(found))
+        assert max(len(one.vehicles) for one in convoys_of(plan)) <= (largest or 30)
+        assert not any({1, 2} <= {*one.vehicles} for one in convoys_of(plan))
+        assert plan.fleet.saving <= plan.fleet.most
+        assert any("joins one platoon" in one for one in plan.fleet.conditions)
+        saved.append(plan.fleet.saving)
+    again = po.plan_fleet(problem, replace(limits, threads=1, rounds=1))
+    assert again.stretches == plan.stretches
+    assert saved == sorted(saved)
 
 
 @pytest.mark.parametrize("per_trip", ["many", "one"])

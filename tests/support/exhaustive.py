@@ -182,6 +182,13 @@ def _schedules(instance: Instance, k: int, instants: list[set[int]], most: int) 
 
 def _least(instance: Instance, choices: list[list[Schedule]]) -> Best:
     """Return the best of all plans, one schedule of each truck."""
+    return _shared_choices(instance, choices, _Search).best()
+
+
+def _shared_choices(
+    instance: Instance, choices: list[list[Schedule]], kind: type[_Search]
+) -> _Search:
+    """Return the search of some schedules, of which none is needless."""
     users = Counter(entry for own in choices for entry in {e for one in own for e in one})
     # Of schedules alike in all entries that another truck could share, the cheapest will do.
     order = sorted(range(len(choices)), key=lambda k: len(choices[k]))
@@ -196,7 +203,7 @@ def _least(instance: Instance, choices: list[list[Schedule]]) -> Best:
             if shared not in cheapest or cost < cheapest[shared][0]:
                 cheapest[shared] = (cost, own)
         thinned.append([(cost, shared, own) for shared, (cost, own) in cheapest.items()])
-    return _Search(instance, list(slots), order, thinned).best()
+    return kind(instance, list(slots), order, thinned)
 
 
 class _Search:
