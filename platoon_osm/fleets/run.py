@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -318,7 +318,7 @@ class FleetRun:
             rounds=self.course.rounds, history=tuple(self.history), unserved=model.unserved,
             conditions=conditions, exact_bound=told,
         )  # fmt: skip
-        plan = replace(plan, fleet=record, proof=Proof.of(cost, alone - record.most, conditions))
+        plan = plan.told(fleet=record, proof=Proof.of(cost, alone - record.most, conditions))
         if write and self.write_to is not None:
             certificate = certificate_of(model, shares, lanes, departs, self.cost, certified)
             write_fleet(plan, certificate, self.write_to)

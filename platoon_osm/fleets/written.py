@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -73,7 +72,7 @@ def plan_of(
         problem, question.fleet, question.ends, question.alone, routes,
         platoons_of(routes, None, "D"), [""] * len(routes), "D", proof,
     )  # fmt: skip
-    plan = replace(plan, proof=proof, fleet=record, timetable=_timetable(model, plan, starts))
+    plan = plan.told(proof=proof, fleet=record, timetable=_timetable(model, plan, starts))
     return with_bill(plan, problem.objective, network_below(question.net))
 
 

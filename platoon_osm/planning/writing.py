@@ -101,11 +101,17 @@ def written_plan(
     runs, ways = driven_runs(net, routes)
     stretches = tuple(_stretch(net, fleet, run) for run in runs)
     names = _place_names(net, ends)
+    points: dict[int, PlatoonPoint] = {}
 
     def point_at(index: int, kind: str, stretch: int) -> PlatoonPoint:
         del index
         edges = runs[stretch].edges
         node = int(net.tail[edges[0]] if kind == "merge" else net.head[edges[-1]])
+        if node not in points:
+            points[node] = point_of(node)
+        return points[node]
+
+    def point_of(node: int) -> PlatoonPoint:
         stop = _stop(net, node, "")
         name = names.get(node) or net.place_name(node)
         osm_id = int(net.node_id[node]) if stop.node >= 0 else 0

@@ -11,7 +11,7 @@ from .needed import all_finite, need
 from .records import Event, Line, PlannedTrip, Platoon, PlatoonPoint, Span, Stop, Stretch
 from .timetable import Timetable
 
-__all__ = ["check_parts"]
+__all__ = ["check_parts", "check_times"]
 
 
 def check_parts(
@@ -67,8 +67,29 @@ def check_parts(
         need(len(event.movers) > 0, f"{where} moves nobody")
         need(0 <= event.stretch < len(stretches), f"{where} is at no stretch")
         _check_place(event.point, where)
+    if timetable:
+        check_times(trips, ways, timetable)
+
+
+def check_times(
+    trips: Sequence[PlannedTrip], ways: Sequence[Sequence[int]], timetable: Timetable
+) -> None:
+    """Check that a timetable is one of a plan's vehicles and ways.
+
+    Parameters
+    ----------
+    trips, ways : sequence
+        Fields of `Plan`.
+    timetable : Timetable
+        The times.
+
+    Raises
+    ------
+    ScenarioError
+        It is that of others.
+    """
     own = [(trip.vehicle, len(way)) for trip, way in zip(trips, ways, strict=True)]
-    if timetable and own != [(times.vehicle, len(times.legs)) for times in timetable.vehicles]:
+    if own != [(times.vehicle, len(times.legs)) for times in timetable.vehicles]:
         raise ScenarioError("plan: its timetable is that of other vehicles; plan again")
 
 

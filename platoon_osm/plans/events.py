@@ -67,8 +67,14 @@ def platoon_events(
         for group in untold:
             if group != host:
                 note(kind, stretch, group)
-    order = {event: _driving_order(event, stretches, ways) for event in found.values()}
-    return tuple(sorted(found.values(), key=lambda one: (*order[one], one.kind, one.movers)))
+    # How far each drives in company is summed up once.
+    together_m: dict[int, float] = {}
+    ordered = [
+        (*_driving_order(event, stretches, ways, together_m), event.kind, event.movers, place)
+        for place, event in enumerate(found.values())
+    ]
+    events = tuple(found.values())
+    return tuple(events[place] for *_, place in sorted(ordered))
 
 
 def _changes(stretches: Sequence[Stretch], way: Sequence[int]) -> list[tuple[str, int]]:
@@ -115,16 +121,19 @@ def _host(
 
 
 def _driving_order(
-    event: Event, stretches: Sequence[Stretch], ways: Sequence[Sequence[int]]
+    event: Event,
+    stretches: Sequence[Stretch],
+    ways: Sequence[Sequence[int]],
+    together_m: dict[int, float],
 ) -> tuple[int, int]:
     """Return the vehicle that drives longest with them, and where on its way the event lies."""
-    guide = max(
-        (*event.movers, *event.others),
-        key=lambda index: (
-            sum(stretches[k].length_m for k in ways[index] if stretches[k].together),
-            -index,
-        ),
-    )
+    company = (*event.movers, *event.others)
+    for index in company:
+        if index not in together_m:
+            together_m[index] = sum(
+                stretches[k].length_m for k in ways[index] if stretches[k].together
+            )
+    guide = max(company, key=lambda index: (together_m[index], -index))
     way = list(ways[guide])
     place = way.index(event.stretch) if event.stretch in way else len(way)
     return guide, 2 * place + (event.kind == "separation")

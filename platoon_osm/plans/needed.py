@@ -24,7 +24,12 @@ def all_finite(values: Iterable[float]) -> bool:
     bool
         True if there are none.
     """
-    return all(is_number(value) and math.isfinite(value) for value in values)
+    for value in values:
+        if type(value) is not float and not is_number(value):
+            return False
+        if not math.isfinite(value):
+            return False
+    return True
 
 
 def need(holds: bool, what: str) -> None:

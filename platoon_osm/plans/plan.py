@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,12 +14,13 @@ from ..errors import ScenarioError, brief
 from ..offers import offered
 from .bill import Bill
 from .chances import Chances
-from .checker import check_parts
+from .checker import check_parts, check_times
 from .fleet import FleetRecord
 from .gain import GainSharing
 from .json_file import write_json_file
 from .json_form import PLAN_VERSION, plan_from_dict
 from .money_checks import check_money
+from .plain import plain
 from .proof import Proof
 from .records import Event, MasterTried, NetworkIdentity, PlannedTrip, Platoon, Stretch
 from .rotation import Rotation
@@ -136,6 +137,44 @@ class Plan:
         )
         check_money(self.trips, self.events, self.bill, self.gain, self.chances)
         check_rotation(self.trips, self.stretches, self.rotation)
+
+    def told(
+        self,
+        *,
+        proof: Proof | None = None,
+        timetable: Timetable | None = None,
+        fleet: FleetRecord | None = None,
+    ) -> Plan:
+        """Return the plan with more told of it; its parts, which were checked, are not again.
+
+        Parameters
+        ----------
+        proof : Proof, optional
+            What is proved of it.
+        timetable : Timetable, optional
+            Its times.
+        fleet : FleetRecord, optional
+            What is known of the fleet.
+
+        Returns
+        -------
+        Plan
+            What is not given is as it was.
+
+        Raises
+        ------
+        ScenarioError
+            Times of other vehicles.
+        """
+        if timetable is not None:
+            check_times(self.trips, self.ways, timetable)
+        plan = object.__new__(type(self))
+        for one in fields(self):
+            object.__setattr__(plan, one.name, getattr(self, one.name))
+        for name, value in (("proof", proof), ("timetable", timetable), ("fleet", fleet)):
+            if value is not None:
+                object.__setattr__(plan, name, value)
+        return plan
 
     @cached_property
     def vehicles(self) -> tuple[VehiclePlan, ...]:
@@ -263,7 +302,7 @@ class Plan:
         dict
             As docs/plan.schema.json describes it.
         """
-        return json.loads(json.dumps(asdict(self)))  # type: ignore[no-any-return]
+        return plain(self)  # type: ignore[no-any-return]
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Plan:

@@ -50,9 +50,10 @@ def runs_along(edges: Edges, companies: Sequence[tuple[int, ...]]) -> list[Run]:
     """
     runs: list[Run] = []
     begin = 0
-    for at in range(1, len(edges) + 1):
-        if at == len(edges) or companies[at] != companies[begin]:
-            runs.append(Run(tuple(int(edge) for edge in edges[begin:at]), companies[begin]))
+    own = edges.tolist() if isinstance(edges, np.ndarray) else list(map(int, edges))
+    for at in range(1, len(own) + 1):
+        if at == len(own) or companies[at] != companies[begin]:
+            runs.append(Run(tuple(own[begin:at]), companies[begin]))
             begin = at
     return runs
 
@@ -126,9 +127,20 @@ def linked(companies: Sequence[Sequence[int]], vehicles: int) -> tuple[tuple[int
     tuple of tuple of int
         Every vehicle once, who drives alone as a group of one; in order of their first vehicle.
     """
-    group = [{index} for index in range(vehicles)]
+    above = list(range(vehicles))
+
+    def top(index: int) -> int:
+        while above[index] != index:
+            above[index] = index = above[above[index]]
+        return index
+
     for company in companies:
-        joined = set().union(*(group[index] for index in company))
-        for index in joined:
-            group[index] = joined
-    return tuple(sorted({tuple(sorted(one)) for one in group}))
+        # The first vehicle of a group stands for it.
+        tops = {top(index) for index in company}
+        first = min(tops)
+        for index in tops:
+            above[index] = first
+    group: dict[int, list[int]] = {}
+    for index in range(vehicles):
+        group.setdefault(top(index), []).append(index)
+    return tuple(map(tuple, group.values()))

@@ -45,6 +45,22 @@ def test_a_plan_cannot_be_changed(plan):
         plan.vehicles[0].role = "alone"
 
 
+def test_more_can_be_told_of_a_plan_but_no_times_of_others(plan):
+    day = datetime(2026, 3, 2, 6)
+    trips = [Trip("A", 0, 3, day), Trip("B", 4, 5, day)]
+    net = network([0, 1, 2, 2, 4], [1, 2, 3, 5, 1], [10e3] * 5)
+    timed = plan_joint(net, paper_weights(net), trips, "C", master="A")
+    proof = dataclasses.replace(plan.proof, conditions=("told later",))
+    told = timed.told(proof=proof)
+    assert told == dataclasses.replace(timed, proof=proof)
+    assert timed.proof != proof
+    vehicles = timed.timetable.vehicles
+    others = dataclasses.replace(timed.timetable, vehicles=vehicles[::-1])
+    assert timed.told(timetable=timed.timetable) == timed
+    with pytest.raises(ScenarioError, match="timetable is that of other vehicles"):
+        timed.told(timetable=others)
+
+
 def test_written_file_is_the_plan(plan, tmp_path):
     file = tmp_path / "plan.json"
     plan.write_json(file)
