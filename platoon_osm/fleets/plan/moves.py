@@ -13,11 +13,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import responses
+from . import waiting
 from .draws import below, uniform
 from .occupancy import Costs, Occupancy, enter, leave
 from .pairs_used import Prices, Used
 from .responses import Desk, Plan, Taste, flavoured, price_now, respond
+from .waiting import respond_waiting, waits
 
 __all__ = ["HELPERS", "MOST", "Crew", "answered", "crew", "moved", "put_in", "taken_out"]
 
@@ -92,6 +93,8 @@ def taken_out(
         some.legs[row, q], some.departs[row, q] = p, instant
         entered[p] = -1
         less += leave(lanes, costs, used.lane[p], instant)
+    if costs.waiting > 0:
+        less += costs.waiting * waits(plan.legs[k], plan.departs[k], plan.lengths[k], used)
     some.lengths[row] = plan.lengths[k]
     plan.lengths[k] = 0
     return less
@@ -124,6 +127,8 @@ def put_in(
         entered[p] = instant
         more += enter(lanes, costs, used.lane[p], instant)
     plan.lengths[k] = count
+    if costs.waiting > 0:
+        more += costs.waiting * waits(legs, departs, count, used)
     return more
 
 
@@ -155,10 +160,11 @@ def answered(
             k, some.legs[row], some.departs[row], some.lengths[row], used, prices, costs, lanes,
             plan, taste, work,
         )  # fmt: skip
-    count = respond(
-        k, upper + slack if upper < 1e299 else upper, used, prices, costs, lanes, plan, taste,
-        work,
-    )  # fmt: skip
+    most = upper + slack if upper < 1e299 else upper
+    if costs.waiting > 0:
+        count = respond_waiting(k, most, used, prices, costs, lanes, plan, taste, work)
+    else:
+        count = respond(k, most, used, prices, costs, lanes, plan, taste, work)
     if count < 0 and had and upper < 1e299:
         return -2
     return count
@@ -237,4 +243,4 @@ def moved(
     return 0
 
 
-HELPERS = (*responses.HELPERS, below, taken_out, put_in, answered, moved)
+HELPERS = (*waiting.HELPERS, below, taken_out, put_in, answered, moved)

@@ -16,6 +16,7 @@ from .moves import Crew
 from .occupancy import Costs, Occupancy, first_at, times_at
 from .pairs_used import Prices, Used
 from .responses import Plan
+from .waiting import waits
 
 __all__ = ["HELPERS", "drawn_seed", "gathered", "parts_of_gap"]
 
@@ -43,6 +44,8 @@ def parts_of_gap(
     for x in range(len(active)):
         k = active[x]
         part = -prices.cost[k]
+        if costs.waiting > 0:
+            part += costs.waiting * waits(plan.legs[k], plan.departs[k], plan.lengths[k], used)
         for q in range(plan.lengths[k]):
             p = plan.legs[k, q]
             lane = used.lane[p]

@@ -46,12 +46,15 @@ class Costs(NamedTuple):
         Of each lane [grains].
     largest : int
         Vehicles of the largest platoon; 0 for any.
+    waiting : int
+        Price of waiting on the road [grains a tick].
     """
 
     alone: Ints
     member: Ints
     extra: Ints
     largest: int
+    waiting: int
 
 
 def first_at(at: Ints, low: int, high: int, instant: int) -> int:

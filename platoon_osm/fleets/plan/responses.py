@@ -24,7 +24,10 @@ from .draws import uniform
 from .occupancy import Costs, Occupancy, first_at, one_more, times_at
 from .pairs_used import Prices, Used
 
-__all__ = ["HELPERS", "Desk", "Plan", "Taste", "desk", "price_now", "respond"]
+__all__ = [
+    "HELPERS", "Desk", "Plan", "Taste", "desk", "join_price", "kept_apart", "least_prices",
+    "open_price", "price_now", "respond",
+]  # fmt: skip
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -103,6 +106,12 @@ class Desk(NamedTuple):
         Of labels.
     heap_time, heap : ndarray of int64, (LABELS,)
         A heap of labels.
+    until, older : ndarray of int64, (LABELS,)
+        Of labels where waiting has a price, see `waiting.py`.
+    newest : ndarray of int64
+        The label taken last at each spot of a truck; then too.
+    heap_cost : ndarray of float64, (LABELS,)
+        What the heap is in order of then.
     legs, departs : ndarray of int64
         The answer.
     """
@@ -119,6 +128,10 @@ class Desk(NamedTuple):
     cost: Floats
     heap_time: Ints
     heap: Ints
+    until: Ints
+    older: Ints
+    newest: Ints
+    heap_cost: Floats
     legs: Ints
     departs: Ints
 
@@ -146,6 +159,8 @@ def desk(used: Used, width: int) -> Desk:
         time=np.zeros(LABELS, np.int64), parent=np.zeros(LABELS, np.int64),
         leg=np.zeros(LABELS, np.int64), spot=np.zeros(LABELS, np.int64), cost=np.zeros(LABELS),
         heap_time=np.zeros(LABELS, np.int64), heap=np.zeros(LABELS, np.int64),
+        until=np.zeros(LABELS, np.int64), older=np.zeros(LABELS, np.int64),
+        newest=np.zeros(spots, np.int64), heap_cost=np.zeros(LABELS),
         legs=np.zeros(width, np.int64), departs=np.zeros(width, np.int64),
     )  # fmt: skip
 
@@ -189,8 +204,23 @@ def _share_now(p: int, instant: int, prices: Prices) -> float:
     return float(prices.share[prices.place[p] + low - begin])
 
 
-def _open_price(p: int, share: float, spread: float, used: Used, taste: Taste) -> float:
-    """Return what entering where nobody does is guessed to cost."""
+def open_price(p: int, share: float, spread: float, used: Used, taste: Taste) -> float:
+    """Return what entering where nobody does is guessed to cost.
+
+    Parameters
+    ----------
+    p : int
+        The pair.
+    share, spread : float
+        The bound's share [grains], and its factor.
+    used, taste : Used, Taste
+        The pairs, and how it guesses.
+
+    Returns
+    -------
+    float
+        A guess [grains].
+    """
     alone, member = used.alone[p], used.member[p]
     guess = member + max(share * spread, -used.save[p])
     if guess < alone:
@@ -198,10 +228,27 @@ def _open_price(p: int, share: float, spread: float, used: Used, taste: Taste) -
     return float(alone)
 
 
-def _join_price(
+def join_price(
     p: int, count: int, open_price: float, used: Used, costs: Costs, taste: Taste
 ) -> float:
-    """Return what entering where some trucks do is guessed to cost."""
+    """Return what entering where some trucks do is guessed to cost.
+
+    Parameters
+    ----------
+    p, count : int
+        The pair, and how many enter.
+    open_price : float
+        What entering where nobody does is guessed to cost [grains].
+    costs : Costs
+        What lanes cost.
+    used, taste : Used, Taste
+        The pairs, and how it guesses.
+
+    Returns
+    -------
+    float
+        A guess [grains].
+    """
     lane = used.lane[p]
     price = float(
         one_more(count, costs.alone[lane], costs.member[lane], costs.extra[lane], costs.largest)
@@ -251,6 +298,9 @@ def price_now(
     apart = plan.first_apart[k] < plan.first_apart[k + 1]
     for q in range(count):
         p, instant = legs[q], departs[q]
+        if q > 0:
+            waited = instant - departs[q - 1] - used.drive[legs[q - 1]]
+            total += costs.waiting * waited
         lane = used.lane[p]
         if apart and kept_apart(k, lane, instant, used, plan):
             return 1e300
@@ -258,9 +308,9 @@ def price_now(
         there = times_at(lanes, lane, instant)
         price = used.alone[p]
         if taste.trust > 0.0:
-            price = _open_price(p, _share_now(p, instant, prices), work.spread[z], used, taste)
+            price = open_price(p, _share_now(p, instant, prices), work.spread[z], used, taste)
         if there > 0:
-            price = _join_price(p, there, price, used, costs, taste)
+            price = join_price(p, there, price, used, costs, taste)
         price *= work.blur[z]
         if lane == taste.lane and instant == taste.instant:
             price -= taste.bonus
@@ -268,10 +318,20 @@ def price_now(
     return total
 
 
-def _least_prices(
+def least_prices(
     k: int, used: Used, prices: Prices, lanes: Occupancy, taste: Taste, work: Desk
 ) -> None:
-    """Fill the least that entering each pair of a truck may cost."""
+    """Fill the least that entering each pair of a truck may cost.
+
+    Parameters
+    ----------
+    k : int
+        The truck.
+    used, prices, lanes, taste : Used, Prices, Occupancy, Taste
+        The problem, and what others do.
+    work : Desk
+        Its `low` is filled.
+    """
     begin = used.first[k]
     for p in range(begin, used.first[k + 1]):
         z = p - begin
@@ -282,7 +342,7 @@ def _least_prices(
         if i < end and lanes.at[i] <= closes:
             low = used.member[p] - used.save[p]
         elif taste.trust > 0.0:
-            low = _open_price(p, prices.least[p], work.spread[z], used, taste)
+            low = open_price(p, prices.least[p], work.spread[z], used, taste)
         else:
             low = used.alone[p]
         low *= work.blur[z]
@@ -365,9 +425,9 @@ def _entries(
             continue
         price = used.alone[p]
         if guessed:
-            price = _open_price(p, share, spread, used, taste)
+            price = open_price(p, share, spread, used, taste)
         if there > 0:
-            price = _join_price(p, there, price, used, costs, taste)
+            price = join_price(p, there, price, used, costs, taste)
         elif not new:
             continue
         price *= blur
@@ -547,7 +607,7 @@ def respond(
     int
         How many lanes it has; -1 if nothing costs less.
     """
-    _least_prices(k, used, prices, lanes, taste, work)
+    least_prices(k, used, prices, lanes, taste, work)
     if used.chain[k]:
         return _along(k, upper, used, prices, costs, lanes, plan, taste, work)
     return _across(k, upper, used, prices, costs, lanes, plan, taste, work)
@@ -581,6 +641,6 @@ def flavoured(k: int, used: Used, taste: Taste, work: Desk, state: Ints) -> None
 HELPERS = (
     *draws.HELPERS,
     *occupancy.HELPERS,
-    kept_apart, _share_now, _open_price, _join_price, price_now, _least_prices, _entries,
+    kept_apart, _share_now, open_price, join_price, price_now, least_prices, _entries,
     _traced, _along, _pushed, _popped, _across, respond, flavoured,
 )  # fmt: skip

@@ -127,7 +127,24 @@ class Schedules:
             size, instance.alone[lane], instance.member[lane], instance.extra[lane],
             instance.largest,
         )  # fmt: skip
-        return int(paid.sum())
+        return int(paid.sum()) + instance.waiting * self.waited(instance)
+
+    def waited(self, instance: Instance) -> int:
+        """Return how long all trucks wait on the road.
+
+        Parameters
+        ----------
+        instance : Instance
+            The problem.
+
+        Returns
+        -------
+        int
+            Between the end of a lane and entering the next [ticks].
+        """
+        truck, lane, depart = self.driven()
+        between = depart[1:] - depart[:-1] - instance.drive[lane[:-1]]
+        return int(between[truck[1:] == truck[:-1]].sum())
 
     def check(self, instance: Instance) -> None:
         """Refuse schedules that are no plan of an instance.

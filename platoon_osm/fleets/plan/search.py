@@ -92,11 +92,6 @@ class FleetSearch:
         The cheapest plan so far; before `construct`, each truck's response to those before it.
     cost : int
         What it costs [grains].
-
-    Raises
-    ------
-    ScenarioError
-        A price of waiting on the road, which is not searched for.
     """
 
     def __init__(
@@ -106,17 +101,14 @@ class FleetSearch:
         seed: int = 0,
         apart: tuple[Ints, Ints] | None = None,
     ) -> None:
-        if instance.waiting > 0:
-            raise ScenarioError(
-                "fleet: waiting on the road has a price, which the search for a fleet's plan does "
-                "not know; leave it out"
-            )
         self.instance = instance
         self._threads = max(1, threads)
         self._seed = seed
         count = instance.trucks
         self._apart = _both_ways(count, apart)
-        self._costs = Costs(instance.alone, instance.member, instance.extra, instance.largest)
+        self._costs = Costs(
+            instance.alone, instance.member, instance.extra, instance.largest, instance.waiting
+        )
         widest = int(np.diff(instance.first_pair).max(initial=0))
         self._width = max(1, min(widest, instance.nodes) + 1)
         self._legs = np.zeros((count, self._width), np.int32)
