@@ -2,7 +2,8 @@
 
 Any plan can be shifted left without parting anybody: each company starts as soon as the last of its
 members is there. So entries lie in the least sets that hold, for every lane, the earliest
-departures of trucks that start at its tail and the arrivals over lanes that end there.
+departures of trucks that start at its tail, and the arrivals of trucks that go on over it, at the
+instants at which they may have entered the lane before.
 """
 
 from __future__ import annotations
@@ -65,31 +66,27 @@ def entries_of(instance: Instance, most: int = MOST_ENTRIES) -> Entries | None:
     for pair, lane in enumerate(instance.pair_lane.tolist()):
         by_lane[lane].append(pair)
     opens, closes = instance.opens.tolist(), instance.closes.tolist()
-    out: dict[int, list[int]] = {}
-    for lane, tail in enumerate(instance.tail.tolist()):
-        if by_lane[lane]:
-            out.setdefault(tail, []).append(lane)
-    drive, head = instance.drive.tolist(), instance.head.tolist()
+    lane_of, drive = instance.pair_lane.tolist(), instance.drive.tolist()
+    onward, todo = _onward(instance)
     seen: list[set[int]] = [set() for _ in range(instance.lanes)]
-    todo = list(zip(instance.origin.tolist(), instance.earliest.tolist(), strict=True))
-    known = set(todo)
     count = 0
     while todo:
-        node, at = todo.pop()
-        for lane in out.get(node, ()):
-            if at in seen[lane]:
-                continue
-            open_to = sum(opens[pair] <= at <= closes[pair] for pair in by_lane[lane])
-            if not open_to:
-                continue
-            seen[lane].add(at)
-            count += open_to
-            if count > most:
-                return None
-            after = (head[lane], at + drive[lane])
-            if after not in known:
-                known.add(after)
-                todo.append(after)
+        lane, at = todo.pop()
+        if at in seen[lane]:
+            continue
+        seen[lane].add(at)
+        for pair in by_lane[lane]:
+            if opens[pair] <= at <= closes[pair]:
+                count += 1
+                # Whoever enters may be the last for whom others wait on its next lane.
+                then = at + drive[lane]
+                todo += [
+                    (lane_of[after], then)
+                    for after in onward[pair]
+                    if opens[after] <= then <= closes[after] and then not in seen[lane_of[after]]
+                ]
+        if count > most:
+            return None
     instants = [np.array(sorted(one), np.int64) for one in seen]
     rows = [
         (truck, lane, instants[lane][begin:end])
@@ -110,3 +107,30 @@ def entries_of(instance: Instance, most: int = MOST_ENTRIES) -> Entries | None:
         np.repeat([lane for _, lane, _ in rows], sizes),
         np.concatenate([at for *_, at in rows]),
     )
+
+
+def _onward(instance: Instance) -> tuple[list[list[int]], list[tuple[int, int]]]:
+    """Return the pairs that each truck may use after each, and where and when trucks begin."""
+    first = instance.first_pair.tolist()
+    lanes = instance.pair_lane.tolist()
+    tail, head = instance.tail.tolist(), instance.head.tolist()
+    opens, closes = instance.opens.tolist(), instance.closes.tolist()
+    onward: list[list[int]] = []
+    begins: list[tuple[int, int]] = []
+    for k, (origin, earliest) in enumerate(
+        zip(instance.origin.tolist(), instance.earliest.tolist(), strict=True)
+    ):
+        leaving: dict[int, list[int]] = {}
+        for pair in range(first[k], first[k + 1]):
+            leaving.setdefault(tail[lanes[pair]], []).append(pair)
+        for pair in range(first[k], first[k + 1]):
+            # Nobody turns back: waiting where it is costs less.
+            begun = tail[lanes[pair]]
+            after = leaving.get(head[lanes[pair]], ())
+            onward.append([one for one in after if head[lanes[one]] != begun])
+        begins += [
+            (lanes[pair], earliest)
+            for pair in leaving.get(origin, ())
+            if opens[pair] <= earliest <= closes[pair]
+        ]
+    return onward, begins

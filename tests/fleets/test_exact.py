@@ -1,6 +1,8 @@
 """The exact model, pairs of trucks and their matching: against every plan there is."""
 
 import itertools
+import sys
+from types import ModuleType
 
 import networkx as nx
 import numpy as np
@@ -11,6 +13,7 @@ from platoon_osm.errors import PlatoonError, ScenarioError
 from platoon_osm.fleets.companies import companies_of
 from platoon_osm.fleets.exact import programme_of
 from platoon_osm.fleets.exact_process import Solver, exact_fleet
+from platoon_osm.fleets.instance import Instance
 from platoon_osm.fleets.instants import entries_of
 from platoon_osm.fleets.matching import matched, matched_pairs
 from platoon_osm.fleets.one_platoon import one_platoon
@@ -46,6 +49,36 @@ def check_ways(instance, ways):
         assert at <= instance.latest[k]
 
 
+def meeting(routes, leaves):
+    """Trucks on a road 0 - 1 - 2 whose pieces take three ticks either way, ten late at most."""
+    lanes = {(0, 1): 0, (1, 2): 1, (1, 0): 2, (2, 1): 3}
+    tail, head = zip(*lanes, strict=True)
+    cost = np.full(4, 10)
+    pairs = [
+        (k, lanes[step], leaves[k] + 3 * leg, leaves[k] + 3 * leg + 10)
+        for k, route in enumerate(routes)
+        for leg, step in enumerate(itertools.pairwise(route))
+    ]
+    # As in open networks, each may also drive back.
+    pairs += [
+        (k, lanes[route[1], route[0]], leaves[k] + 3, leaves[k] + 9)
+        for k, route in enumerate(routes)
+    ]
+    pairs.sort()
+    truck, lane, opens, closes = (np.array(column) for column in zip(*pairs, strict=True))
+    count, earliest = len(routes), np.array(leaves)
+    return Instance(
+        nodes=3, tail=np.array(tail), head=np.array(head), drive=np.full(4, 3), alone=cost,
+        member=cost - 3, extra=np.zeros(4, int), lane_kind=np.zeros(4, int),
+        origin=np.array([route[0] for route in routes]),
+        destination=np.array([route[-1] for route in routes]), earliest=earliest,
+        latest_departure=earliest + 10, latest=earliest + 16, kind=np.zeros(count, int), largest=0,
+        given=False, waiting=0, first_pair=np.searchsorted(truck, np.arange(count + 1)),
+        pair_truck=truck, pair_lane=lane, opens=opens, closes=closes,
+        on_alone=np.ones(len(pairs), bool), alone_cost=np.full(count, 20),
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize("seed", range(45))
 def test_the_exact_model_finds_the_optimum(seed, solver):
     instance = drawn(seed, trucks=4, largest=(0, 2, 3)[seed % 3])
@@ -65,6 +98,27 @@ def test_its_linear_relaxation_is_a_bound(seed, solver):
     assert bound == value
     assert len(values) == len(programme_of(instance).gain)
     assert value >= -optimum(instance).cost - 1e-6 * abs(value)
+
+
+def test_instants_come_from_those_who_go_on_over_the_lane():
+    # Trucks leave a road's two ends a tick apart; nobody turns back, so nobody's instant does.
+    there, back = (0, 1, 2), (2, 1, 0)
+    instance = meeting([there, there, back, back], [0, 1, 0, 1])
+    entries = entries_of(instance)
+    assert {*zip(entries.lane.tolist(), entries.at.tolist(), strict=True)} == {
+        (lane, 3 * leg + late) for lane, leg in ((0, 0), (1, 1), (3, 0), (2, 1)) for late in (0, 1)
+    }
+
+
+def test_the_script_that_asks_is_not_run_again(tmp_path, monkeypatch):
+    script = tmp_path / "script.py"
+    script.write_text(f"open({str(tmp_path / 'again')!r}, 'w').close()", encoding="utf-8")
+    main = ModuleType("__main__")
+    main.__file__ = str(script)
+    monkeypatch.setitem(sys.modules, "__main__", main)
+    assert exact_fleet(drawn(3, trucks=2), 20.0).proved
+    assert not (tmp_path / "again").exists()
+    assert sys.modules["__main__"] is main
 
 
 def test_a_model_that_would_be_too_large_is_not_made():
