@@ -36,6 +36,7 @@ from .plan.search import FleetSearch
 from .progress import Progress
 from .shifting import shifted
 from .stopping import Course
+from .trees.starting import tree_start
 from .written import plan_of
 
 __all__ = ["FleetRun"]
@@ -133,6 +134,9 @@ class FleetRun:
         if self.limits.per_trip == "one":
             return self._finished(self._one_a_trip())
         course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
+        start = None if self.apart else tree_start(self.model.instance)
+        if start is not None:
+            self.search.take(*start)
         ended = self._follow(course)
         if not self.limits.min_gain:
             return self._finished(ended)

@@ -138,9 +138,7 @@ class FleetSearch:
     @property
     def best(self) -> Schedules:
         """The cheapest plan so far."""
-        pairs, departs, count = self._kept
-        lanes = self.instance.pair_lane[pairs] if self.instance.pairs else pairs
-        return Schedules(lanes.astype(np.int32), departs, count)
+        return self._as_schedules(self._kept)
 
     def construct(self, shares: SharesOf | None, guide: GuideOf | None) -> None:
         """Build a plan from nothing, and keep it if it is the cheapest so far.
@@ -178,6 +176,32 @@ class FleetSearch:
             found = before
         self._legs, self._departs, self._count, self._current = found
         self._note()
+
+    def take(self, lanes: Sequence[Ints], departs: Sequence[Ints]) -> None:
+        """Go on from a plan that was made elsewhere, if it is the cheapest so far.
+
+        Parameters
+        ----------
+        lanes, departs : sequence of ndarray of int64, (N, ...)
+            Lanes of each truck in driving order, and when it enters them [ticks].
+        """
+        count = np.array([len(own) for own in lanes], np.int64)
+        truck = np.repeat(np.arange(len(count)), count)
+        used = np.arange(self._width)[None, :] < count[:, None]
+        legs, instants = np.zeros_like(self._departs), np.zeros_like(self._departs)
+        instants[used] = np.concatenate(departs)
+        order, sorted_key = self._sorted_pairs()
+        wanted = truck * self.instance.lanes + np.concatenate(lanes)
+        legs[used] = order[np.searchsorted(sorted_key, wanted)]
+        kept = (legs, instants, count)
+        cost = self._as_schedules(kept).cost(self.instance)
+        if cost >= self.cost:
+            return
+        self._kept, self.cost, self._current = kept, cost, cost
+        self._departs, self._count = instants.copy(), count.copy()
+        # With its pairs among those that are looked at.
+        self._view, self._last = self._viewed(None, None), None
+        self._legs = self._view.place[legs].astype(np.int32)
 
     def improve(
         self,
@@ -333,7 +357,11 @@ class FleetSearch:
         return pairs.astype(np.int32), self._departs.copy(), self._count.copy()
 
     def _now(self) -> Schedules:
-        pairs, departs, count = self._copied()
+        return self._as_schedules(self._copied())
+
+    def _as_schedules(self, plan: tuple[Ints, Ints, Ints]) -> Schedules:
+        """Return a plan in pairs of the instance as schedules."""
+        pairs, departs, count = plan
         lanes = self.instance.pair_lane[pairs] if self.instance.pairs else pairs
         return Schedules(lanes.astype(np.int32), departs, count)
 
@@ -388,14 +416,19 @@ class FleetSearch:
             way, way_count = self._guided(guide, place)
         return _View(used_now, which, place, prices, way, way_count, shares is not None)
 
-    def _guided(self, guide: GuideOf, place: Ints) -> tuple[NDArray[np.int32], Ints]:
-        """Return the pairs of the trucks' cheapest schedules by the shares."""
+    def _sorted_pairs(self) -> tuple[Ints, Ints]:
+        """Return the instance's pairs by truck and lane, and what they are sorted by."""
         instance = self.instance
         if self._order is None:
             key = instance.pair_truck * instance.lanes + instance.pair_lane
             order = np.argsort(key, kind="stable")
             self._order = (order, key[order])
-        order, sorted_key = self._order
+        return self._order
+
+    def _guided(self, guide: GuideOf, place: Ints) -> tuple[NDArray[np.int32], Ints]:
+        """Return the pairs of the trucks' cheapest schedules by the shares."""
+        instance = self.instance
+        order, sorted_key = self._sorted_pairs()
         way = np.full(guide.lanes.shape, -1, np.int32)
         used = np.arange(guide.lanes.shape[1])[None, :] < guide.count[:, None]
         truck = np.repeat(np.arange(instance.trucks), guide.count)

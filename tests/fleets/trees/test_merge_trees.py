@@ -14,7 +14,9 @@ from soak import chosen
 from platoon_osm.errors import ScenarioError
 from platoon_osm.fleets.pairs import pair_offers
 from platoon_osm.fleets.plan.schedules import Schedules
+from platoon_osm.fleets.plan.search import FleetSearch
 from platoon_osm.fleets.trees.merge_trees import merge_tree, shared_leg
+from platoon_osm.fleets.trees.starting import tree_start
 
 SEEDS = chosen(range(14), range(150))
 MOST_PLANS = 2500
@@ -288,3 +290,25 @@ def test_what_no_tree_is_planned_for_is_refused():
         merge_tree(replace(instance, waiting=1), [0, 1])
     with pytest.raises(ScenarioError, match="1 to 3 trucks"):
         shared_leg(replace(instance, largest=3), range(4))
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_search_goes_on_from_a_tree(seed):
+    instance = random_instance(seed, trucks=4, largest=0)
+    search = FleetSearch(instance)
+    before = search.cost
+    start = tree_start(instance)
+    assert start is not None
+    search.take(*start)
+    tree = merge_tree(instance, range(4))
+    assert search.cost == min(before, cost_of(instance, tuples_of(tree)))
+    search.best.check(instance)
+    assert search.best.cost(instance) == search.cost
+    search.improve(None, None, 20, 0.0, lambda: False)
+    search.best.check(instance)
+    assert optimum(instance).cost <= search.best.cost(instance) == search.cost <= tree.cost
+
+
+def test_many_trucks_or_a_price_of_waiting_begin_with_no_tree():
+    assert tree_start(comb(9)) is None
+    assert tree_start(replace(comb(3), waiting=1)) is None
