@@ -29,7 +29,7 @@ from .exact import Ways
 from .exact_process import exact_fleet
 from .kept_apart import Apart
 from .limits import Limits
-from .memory import peak_mb
+from .memory import many_records, peak_mb
 from .model import FleetModel
 from .one_platoon import one_platoon
 from .plan.search import FleetSearch
@@ -45,12 +45,12 @@ Ints = NDArray[np.int64]
 
 COURSE = (
     ("bound", 0.05), ("construct", 0.05), ("bound", 0.15), ("construct", 0.15), ("exact", 0.40),
-    ("bound", 0.40), ("construct", 0.40), ("plan", 0.64), ("bound", 0.74), ("plan", 0.96),
+    ("bound", 0.40), ("construct", 0.40), ("plan", 0.66), ("bound", 0.77), ("plan", 1.0),
 )  # fmt: skip
 """Who works until which share of the course."""
 
 CROWDED_COURSE = (
-    ("bound", 0.34), ("construct", 0.34), ("plan", 0.66), ("bound", 0.76), ("plan", 0.96),
+    ("bound", 0.34), ("construct", 0.34), ("plan", 0.68), ("bound", 0.79), ("plan", 1.0),
 )  # fmt: skip
 """The same from `CROWD` trucks on, where the first construction is worth waiting for."""
 
@@ -77,8 +77,12 @@ SMALL = 60_000
 ONE_PLATOON = 0.5
 """With one platoon of more than two a trip, the plan is made in this share of the time."""
 
-WRITING = 0.05
-"""At most this share of the time goes into writing what is best so far."""
+WRITING, FIRST_WRITING = 0.05, 0.25
+"""At most this share of the time goes into writing what is best so far, and into the first time."""
+
+CLOSING, CLOSING_WRITTEN = 0.7, 1.1
+"""What it takes to tell a plan, and to write it too, as a part of what modelling took: both go with
+trucks and lanes. It is measured once something was written."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -283,10 +287,15 @@ class FleetRun:
             self.history.append(Moment(round(now.seconds, 3), saving, bound))
         if self.on_progress is not None:
             self.on_progress(now)
-        spent = self.written_s <= WRITING * now.seconds
-        if self.write_to is not None and self.cost < self.written_cost and spent:
+        if self.written_s:
+            affords = self.written_s <= WRITING * now.seconds
+        else:
+            affords = self.course.closing_s <= FIRST_WRITING * now.seconds
+        if self.write_to is not None and self.cost < self.written_cost and affords:
             self._finished("interrupted")
-            self.written_s += self.course.seconds - now.seconds
+            took = self.course.seconds - now.seconds
+            self.written_s += took
+            self.course.closing_s = max(self.course.closing_s, took)
             self.written_cost = self.cost
 
     def _best_ways(self) -> Ways:
@@ -299,6 +308,10 @@ class FleetRun:
 
     def _finished(self, ended: str, write: bool = True) -> Plan:
         """Return the plan as it is now, and write it if that is wanted."""
+        with many_records():
+            return self._told(ended, write)
+
+    def _told(self, ended: str, write: bool) -> Plan:
         model, unit = self.model, self.model.lanes.grains
         shares, certified = self.bound.certified()
         lanes, departs = self._best_ways()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
 
@@ -26,6 +27,8 @@ class Course:
         self._limits, self._asked_to_end = limits, asked_to_end
         self.rounds = 0
         """Rounds that are done."""
+        self.closing_s = 0.0
+        """What is kept of the limit for telling the plan and writing it, at most half of it [s]."""
 
     @property
     def seconds(self) -> float:
@@ -33,10 +36,16 @@ class Course:
         return time.monotonic() - self._begun
 
     @property
+    def _search_s(self) -> float:
+        """When the search has to end, so that the plan is written within the limit [s]."""
+        limit = self._limits.time_s
+        return math.inf if limit is None else limit - min(self.closing_s, limit / 2)
+
+    @property
     def share(self) -> float:
         """How much of the time or of the rounds is used, whichever is more."""
         limits = self._limits
-        of_time = self.seconds / limits.time_s if limits.time_s else 0.0
+        of_time = self.seconds / self._search_s if limits.time_s else 0.0
         of_rounds = self.rounds / limits.rounds if limits.rounds else 0.0
         return max(of_time, of_rounds)
 
@@ -59,10 +68,8 @@ class Course:
             True once time has come that far, or somebody wants it to end. Rounds do not count:
             each is done whole, so that it is the same on every machine.
         """
-        limit = self._limits.time_s
 
         def ends() -> bool:
-            late = limit is not None and self.seconds >= share * limit
-            return late or self._asked_to_end()
+            return self.seconds >= share * self._search_s or self._asked_to_end()
 
         return ends
