@@ -28,7 +28,7 @@ WALLS = {
     "driving": ("bans",),
     "planning": ("timing", "company", "rotation", "legal", "scenario"),
     "planning/legal": ("driver", "platoon"),
-    "fleets": ("bound", "plan", "trees", "dutch", "day"),
+    "fleets": ("bound", "plan", "trees", "dutch", "day", "law"),
     "inspection": ("certificate",),
     "report": (
         "language", "markup", "drawing", "ground", "document", "maps", "charts", "exports", "pages",

@@ -19,7 +19,7 @@ from .asked import (
     shared_option,
     taken,
 )
-from .options import FILE
+from .options import FILE, rules_named
 
 if TYPE_CHECKING:
     from ..planning.scenario.record import Scenario
@@ -32,7 +32,7 @@ Run = TypeVar("Run", bound=Callable[..., Any])
 
 WHAT, WHERE, HOW = "What to plan", "On which network", "How to search"
 
-OPTION_KEYS = ("max_platoon", "patience_min", "access_limit_km", "profile", "close")
+OPTION_KEYS = ("max_platoon", "rules", "patience_min", "access_limit_km", "profile", "close")
 LIMIT_KEYS = ("time_s", "rounds", "seed", "threads", "routes", "per_trip", "min_gain")
 
 
@@ -75,6 +75,10 @@ def fleet_options(verb: Run) -> Run:
         section_option(
             WHAT, "--apart", type=FILE,
             help="CSV of two columns: vehicles that must not drive together.",
+        ),
+        section_option(
+            WHAT, "--rules", type=rules_named,
+            help="Driving rules by which breaks and rests are planned, such as eu561; else none.",
         ),
         shared_option(WHAT, "--profile"),
         shared_option(WHAT, "--close"),

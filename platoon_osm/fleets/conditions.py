@@ -44,6 +44,8 @@ def conditions_of(model: FleetModel, limits: Limits) -> tuple[str, ...]:
     if limits.per_trip == "one":
         found.append("each trip joins one platoon at most, once, and a platoon does not stop")
         found.append("the certificate's bound is that of trips with many platoons")
+    if model.legal is not None:
+        found.append("the bound knows no breaks and rests: they are waits, and may be had anywhere")
     if limits.apart:
         found.append("the bound lets all drive together, also those that must not")
     if limits.min_gain:

@@ -10,6 +10,7 @@ from ..interrupts import asked_to_end
 from ..planning.problem import Problem
 from ..plans.fleet import Unserved
 from ..plans.plan import Plan
+from .lawful_run import LawfulRun
 from .limits import Limits
 from .model import modelled
 from .progress import Progress
@@ -72,8 +73,9 @@ def plan_fleet(
         raise ScenarioError("fleet: limits name neither time_s nor rounds; give one of them")
     if own.time_s is not None and len(problem.trips) >= MANY:
         # Compiling takes seconds once, which are not those that were given to the search.
-        warm_up()
+        warm_up(law=problem.limits_driving)
     with asked_to_end() as ends:
         course = Course(own, ends)
         model = modelled(problem, own, unserved)
-        return FleetRun(model, own, course, write_to, on_progress).plan()
+        kind = FleetRun if model.legal is None else LawfulRun
+        return kind(model, own, course, write_to, on_progress).plan()

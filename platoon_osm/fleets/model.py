@@ -17,6 +17,7 @@ from ..costs.time_prices import TimePrices
 from ..errors import ScenarioError
 from ..planning.asked import Asked
 from ..planning.ends import TripEnds
+from ..planning.legal.legal_question import LegalQuestion
 from ..planning.problem import Problem
 from ..planning.question import Question
 from ..planning.timing.limits import Window, first_named
@@ -25,6 +26,7 @@ from ..plans.fleet import Unserved
 from ..plans.timetable import LATE_S
 from .instance import Instance
 from .lanes import TICK_S, Lanes, grains_per_unit, lanes_of
+from .lawful_trips import lawful
 from .limits import Limits
 from .served import served
 from .windows import Wanted, paired
@@ -56,6 +58,8 @@ class FleetModel:
         Lanes of each truck's route alone.
     unserved : tuple of Unserved
         Trips that cannot be planned.
+    legal : LegalQuestion or None
+        The same question with its law, under driving rules that have limits.
     """
 
     question: Question
@@ -66,6 +70,7 @@ class FleetModel:
     rounds: int
     routes: tuple[Ints, ...]
     unserved: tuple[Unserved, ...]
+    legal: LegalQuestion | None = None
 
 
 def modelled(problem: Problem, limits: Limits, refused: Sequence[Unserved] = ()) -> FleetModel:
@@ -90,12 +95,15 @@ def modelled(problem: Problem, limits: Limits, refused: Sequence[Unserved] = ())
     PlatoonError
         A question that fleets are not planned for, in one line; or no trip that can be planned.
     """
-    prices = _checked(problem)
+    prices = _checked(problem, limits)
     limits.check_names(trip.vehicle for trip in problem.trips)
     timed, timeless = _with_times(problem)
-    question, others = _in_time(timed)
+    question, legal, others = _in_time(timed)
     unserved = (*refused, *timeless, *others)
     windows, asked = question.windows, question.asked_windows
+    if legal is not None:
+        # Breaks and rests are waits: a lawful plan is one of those that the bound holds for.
+        windows, asked = legal.windows, legal.asked
     first = first_named(question.problem.trips)
     assert windows is not None
     assert first is not None
@@ -115,16 +123,26 @@ def modelled(problem: Problem, limits: Limits, refused: Sequence[Unserved] = ())
         largest=largest, waiting=round(prices.waiting * TICK_S * grains),
     )  # fmt: skip
     return FleetModel(
-        question, first, tuple(asked), lanes, instance, rounds, tuple(routes), unserved
+        question, first, tuple(asked), lanes, instance, rounds, tuple(routes), unserved, legal
     )
 
 
-def _checked(problem: Problem) -> TimePrices:
+def _checked(problem: Problem, limits: Limits) -> TimePrices:
     """Return the prices of time of a problem that fleets can be planned for."""
     prices = TimePrices.of(problem.objective)
+    law = problem.limits_driving
     for refused, what in (
         (problem.method != "dijkstra", "the paper's A*; use method dijkstra"),
-        (problem.limits_driving, "driving rules yet; plan trips with rules none"),
+        (law and problem.task_relief > 0, "driving rules and a task_relief"),
+        (
+            law and limits.per_trip == "one",
+            "driving rules and one platoon a trip; let trips have many",
+        ),
+        (law and limits.min_gain > 0, "driving rules and a min_gain"),
+        (
+            law and not prices.are_free,
+            "driving rules and a price of waiting; use an objective without",
+        ),
         (problem.delays is not None or problem.robust, "delays; leave them out"),
         (problem.lead != "master", "a rotated lead; use lead master"),
         (problem.company != "anywhere", "company of the master alone; use company anywhere"),
@@ -150,10 +168,13 @@ def _with_times(problem: Problem) -> tuple[Problem, list[Unserved]]:
     return replace(problem, trips=timed, case="best", master=None), unserved
 
 
-def _in_time(problem: Problem) -> tuple[Question, list[Unserved]]:
-    """Return the question of the trips that can be in time alone, and the others."""
+def _in_time(problem: Problem) -> tuple[Question, LegalQuestion | None, list[Unserved]]:
+    """Return the question of the trips that can be in time alone, with its law, and the others."""
     asked, missing = served(problem)
     question = asked.question
+    if problem.limits_driving:
+        legal, others = lawful(question)
+        return legal.question, legal, [*missing, *others]
     known = question.problem
     late = [
         late_by(own.earliest + alone_s - own.arrival)
@@ -170,13 +191,13 @@ def _in_time(problem: Problem) -> tuple[Question, list[Unserved]]:
         if by
     ]  # fmt: skip
     if not unserved:
-        return question, list(missing)
+        return question, None, list(missing)
     stay = tuple(trip for trip, by in zip(known.trips, late, strict=True) if not by)
     if not stay:
         raise ScenarioError(
             f"fleet: no trip can be in time; {unserved[0].vehicle!r} is {unserved[0].reason}"
         )
-    return Asked.of(replace(problem, trips=stay)).question, [*missing, *unserved]
+    return Asked.of(replace(problem, trips=stay)).question, None, [*missing, *unserved]
 
 
 def _wanted(

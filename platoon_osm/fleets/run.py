@@ -251,6 +251,11 @@ class FleetRun:
         return min(self.search.cost, self.exact.cost)
 
     @property
+    def planned_cost(self) -> int:
+        """What the plan costs that would be written now [grains]."""
+        return self.cost
+
+    @property
     def least(self) -> float:
         """What no plan undercuts, by shares or by the exact model [grains]."""
         return self.bound.cost if self.exact is None else max(self.bound.cost, self.exact.least)
@@ -279,7 +284,7 @@ class FleetRun:
     def _tell(self) -> None:
         """Note how far it is, tell whoever wants to know, and write what is best."""
         unit = self.model.lanes.grains
-        saving = (self.alone - self.cost) / unit
+        saving = (self.alone - self.planned_cost) / unit
         bound = max(saving, (self.alone - self.least) / unit)
         now = Progress(min(1.0, self.course.share), self.course.seconds, saving, bound)
         last = self.history[-1] if self.history else None
@@ -291,12 +296,12 @@ class FleetRun:
             affords = self.written_s <= WRITING * now.seconds
         else:
             affords = self.course.closing_s <= FIRST_WRITING * now.seconds
-        if self.write_to is not None and self.cost < self.written_cost and affords:
+        if self.write_to is not None and self.planned_cost < self.written_cost and affords:
             self._finished("interrupted")
             took = self.course.seconds - now.seconds
             self.written_s += took
             self.course.closing_s = max(self.course.closing_s, took)
-            self.written_cost = self.cost
+            self.written_cost = self.planned_cost
 
     def _best_ways(self) -> Ways:
         """Return lanes and instants of the best plan."""
@@ -306,6 +311,15 @@ class FleetRun:
             return self.exact.ways
         return self.search.best.ways()
 
+    def _written(self) -> tuple[Plan, Ways, int]:
+        """Return the best plan, its ways, and what they cost [grains]."""
+        lanes, departs = self._best_ways()
+        moved = shifted(self.model.instance, lanes, departs)
+        if self.limits.per_trip == "many" and self.apart.kept_by((lanes, moved)):
+            departs = moved
+        plan = plan_of(self.model, lanes, departs, Proof("heuristic", 0.0, None), None)
+        return plan, (lanes, departs), self.cost
+
     def _finished(self, ended: str, write: bool = True) -> Plan:
         """Return the plan as it is now, and write it if that is wanted."""
         with many_records():
@@ -314,12 +328,8 @@ class FleetRun:
     def _told(self, ended: str, write: bool) -> Plan:
         model, unit = self.model, self.model.lanes.grains
         shares, certified = self.bound.certified()
-        lanes, departs = self._best_ways()
-        moved = shifted(model.instance, lanes, departs)
-        if self.limits.per_trip == "many" and self.apart.kept_by((lanes, moved)):
-            departs = moved
         conditions = conditions_of(model, self.limits)
-        plan = plan_of(model, lanes, departs, Proof("heuristic", 0.0, None), None)
+        plan, (lanes, departs), paid = self._written()
         cost = sum(share.cost for stretch in plan.stretches for share in stretch.shares)
         alone = sum(trip.alone.cost for trip in plan.trips)
         saving = alone - cost
@@ -337,6 +347,6 @@ class FleetRun:
         )  # fmt: skip
         plan = plan.told(fleet=record, proof=Proof.of(cost, alone - record.most, conditions))
         if write and self.write_to is not None:
-            certificate = certificate_of(model, shares, lanes, departs, self.cost, certified)
+            certificate = certificate_of(model, shares, lanes, departs, paid, certified)
             write_fleet(plan, certificate, self.write_to)
         return plan

@@ -7,6 +7,7 @@ import numpy as np
 from .bound import warmth as bound
 from .joining import Joining
 from .lanes import Lanes
+from .law import warmth as law_warmth
 from .matching import matched_pairs
 from .one_group import group_of
 from .pairs import pair_offers
@@ -17,8 +18,16 @@ from .windows import Wanted, paired
 __all__ = ["warm_up"]
 
 
-def warm_up() -> None:
-    """Compile what is not compiled yet, by planning two trucks with a choice of roads."""
+def warm_up(law: bool = False) -> None:
+    """Compile what is not compiled yet, by planning two trucks with a choice of roads.
+
+    Parameters
+    ----------
+    law : bool
+        Whether the searches within the law of driving hours are wanted, too.
+    """
+    if law:
+        law_warmth.warm_up()
     bound.warm_up()
     plan.warm_up()
     length, none = np.array([10, 10, 25]), np.zeros(2, np.int64)

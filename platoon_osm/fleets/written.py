@@ -27,7 +27,7 @@ from .companies import Company, companies_of
 from .lanes import TICK_S
 from .model import FleetModel
 
-__all__ = ["plan_of"]
+__all__ = ["plan_of", "untimed_plan"]
 
 Ints = NDArray[np.int64]
 
@@ -61,6 +61,35 @@ def plan_of(
         With its timetable, and with its bill if costs are money.
     """
     question = model.question
+    plan, _, starts = untimed_plan(model, lanes, departs, proof)
+    plan = plan.told(fleet=record, timetable=_timetable(model, plan, starts))
+    return with_bill(plan, question.problem.objective, network_below(question.net))
+
+
+def untimed_plan(
+    model: FleetModel, lanes: Sequence[Ints], departs: Sequence[Ints], proof: Proof
+) -> tuple[Plan, list[list[Run]], list[list[float]]]:
+    """Return the plan of some schedules, without its times.
+
+    Parameters
+    ----------
+    model : FleetModel
+        The problem.
+    lanes, departs : sequence of ndarray of int64, (N, ...)
+        The lanes of each truck in driving order, and when it enters them [ticks].
+    proof : Proof
+        What is proved of its cost.
+
+    Returns
+    -------
+    plan : Plan
+        Its stretches, ways and platoons.
+    routes : list of list of Run, (N, ...)
+        What it was written from.
+    starts : list of list of float, (N, ...)
+        When each run begins [s].
+    """
+    question = model.question
     problem = question.problem
     together = companies_of(model.instance, lanes, departs)
     routes, starts = [], []
@@ -72,8 +101,7 @@ def plan_of(
         problem, question.fleet, question.ends, question.alone, routes,
         platoons_of(routes, None, "D"), [""] * len(routes), "D", proof,
     )  # fmt: skip
-    plan = plan.told(proof=proof, fleet=record, timetable=_timetable(model, plan, starts))
-    return with_bill(plan, problem.objective, network_below(question.net))
+    return plan.told(proof=proof), routes, starts
 
 
 def _runs(

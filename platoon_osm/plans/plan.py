@@ -349,7 +349,7 @@ class Plan:
         Parameters
         ----------
         path : str or path
-            Of the file.
+            Of the file; or of a fleet's, which holds a plan beside its certificate.
 
         Returns
         -------
@@ -368,11 +368,16 @@ class Plan:
             raise ScenarioError(f"{file}: cannot be read ({error.strerror})") from error
         except (TypeError, ValueError, RecursionError):
             raise ScenarioError(f"{file}: is no JSON file; plan again with --json") from None
+        if isinstance(data, dict) and data.get("format") == FLEET_FILE:
+            data = data.get("plan")
         try:
             return cls.from_dict(data)
         except ScenarioError as error:
             raise ScenarioError(f"{file}: {error}") from error
 
+
+FLEET_FILE = "platoon-osm fleet"
+"""The format of files that hold a fleet's plan with what proves it."""
 
 JointPlan = Plan
 """What a plan was called when it had one master; the same class."""

@@ -206,7 +206,8 @@ def test_trips_that_cannot_be_planned_are_listed_and_the_rest_planned(net):
 @pytest.mark.parametrize(
     ("change", "match"),
     [
-        ({"rules": "eu561"}, "driving rules"), ({"method": "astar"}, "A\\*"),
+        ({"rules": "eu561", "task_relief": 1.0}, "driving rules and a task_relief"),
+        ({"method": "astar"}, "A\\*"),
         ({"lead": "rotated"}, "rotated lead"), ({"company": "master"}, "company anywhere"),
         ({"delays": po.Delays(5), "robust": True}, "delays"),
     ],

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ...costs.presets import PRESETS
+from ...driving.rules import RULES
 from ...output_paths import Output, check_outputs
 from ..asked_fleet import asked_fleet, fleet_options, limits_of
 from ..exit_status import tell
@@ -26,11 +27,13 @@ HOLDS = (FLEET, "assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv"
 
 
 class _WithObjectives(Sections):
-    """A verb whose help lists what objectives there are."""
+    """A verb whose help lists what objectives and driving rules there are."""
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Objectives, for --objective"):
             formatter.write_dl([(preset.name, preset.about) for preset in PRESETS.values()])
+        with formatter.section("Driving rules, for --rules"):
+            formatter.write_dl([(rules.name, rules.about) for rules in RULES.values()])
         super().format_epilog(ctx, formatter)
 
 

@@ -130,6 +130,9 @@ def _check_times(told: Told, plan: Plan, companies: Companies, k: int, shift_s: 
     entries = range(int(told.first[k]), int(told.first[k + 1]))
     if not entries or len(legs) != len(stretches):
         raise FaultError(f"the plan has no times of vehicle {told.vehicles[k]!r}")
+    paused = {pause.before for pause in plan.timetable.vehicles[k].pauses}
+    # Each lane's drive was rounded up to a tick.
+    slack_s = NEAR_S + told.tick_s * len(entries)
     ready = None
     stretch = 0
     begun = [leg[0] for leg in legs]
@@ -147,15 +150,22 @@ def _check_times(told: Told, plan: Plan, companies: Companies, k: int, shift_s: 
         here = stretch
         while True:
             _check_company(told, stretches[here], members, k)
-            if here + 1 == len(legs) or begun[here + 1] >= until_s - NEAR_S:
+            if here + 1 == len(legs):
                 break
-            if begun[here + 1] > legs[here][1] + NEAR_S:
+            stands_s = begun[here + 1] - legs[here][1]
+            unfinished = legs[here][1] < until_s - slack_s
+            if unfinished and here + 1 in paused:
+                # A break or rest within a lane is a wait, as if it was taken where the lane ends.
+                until_s += stands_s
+            elif not unfinished and begun[here + 1] >= until_s - NEAR_S:
+                break
+            elif stands_s > NEAR_S:
                 raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} wait within a lane")
             here += 1
         ready = depart + int(told.drive[lane])
     if stretch != len(legs) - 1 and here != len(legs) - 1:
         raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} drive on after its schedule")
-    if abs(legs[-1][1] - until_s) > NEAR_S + told.tick_s * len(entries):
+    if abs(legs[-1][1] - until_s) > slack_s:
         raise FaultError(f"the plan has vehicle {told.vehicles[k]!r} arrive at another time")
 
 

@@ -77,6 +77,9 @@ class LegalQuestion:
         What is asked.
     vehicles : sequence of Vehicle, (N,)
         What drives each trip.
+    refused : dict of int to NoLegalTripError, optional
+        Where it is given, vehicles without any legal trip are put into it by their positions, with
+        the reason; a question that has some is of no other use.
 
     Attributes
     ----------
@@ -97,7 +100,12 @@ class LegalQuestion:
         A vehicle has no legal trip at all.
     """
 
-    def __init__(self, question: Question, vehicles: Sequence[Vehicle]) -> None:
+    def __init__(
+        self,
+        question: Question,
+        vehicles: Sequence[Vehicle],
+        refused: dict[int, NoLegalTripError] | None = None,
+    ) -> None:
         self.question, self.vehicles = question, tuple(vehicles)
         problem = question.problem
         first = first_named(problem.trips)
@@ -135,7 +143,15 @@ class LegalQuestion:
             network_below(question.net), first, min(moments) - AROUND_S, max(moments) + AROUND_S
         )
         quick: dict[int, QuickRoute] = {}
-        self.alone = tuple(self._alone(index, quick) for index in range(len(self.vehicles)))
+        found: list[TripAlone] = []
+        for index in range(len(self.vehicles)):
+            try:
+                found.append(self._alone(index, quick))
+            except NoLegalTripError as error:
+                if refused is None:
+                    raise
+                refused[index] = error
+        self.alone = tuple(found)
         self.question = question.by_quick_routes(quick)
 
     def closed(self, index: int, edge: int) -> Sequence[Interval]:
@@ -246,6 +262,11 @@ class LegalQuestion:
         late = 0.0 if arrival is None else own.trip.arrival_s - arrival
         return max(late, float(own.after_latest_s))
 
+    @property
+    def late_s(self) -> list[float]:
+        """How late each is alone, at its arrival or its departure [s]; 0 or less if not, (N,)."""
+        return [self._late_s(index, own) for index, own in enumerate(self.alone)]
+
     def _by(self, index: int, edges: Edges) -> TripAlone:
         if len(edges) and (why := nothing_left(self.rules[index])):
             raise self._no_trip(index, why)
@@ -315,6 +336,11 @@ class LegalQuestion:
     def asked(self) -> list[Window]:
         """What trips name, (N,)."""
         return self._windows[0]
+
+    @property
+    def windows(self) -> list[Window]:
+        """How far company may move each vehicle, not rounded, (N,)."""
+        return self._windows[1]
 
     @cached_property
     def spans(self) -> tuple[Span, ...]:

@@ -1,0 +1,120 @@
+"""The search for a fleet's plan under driving rules: without law first, then within it.
+
+The bound is that of all plans in the same windows, with or without breaks: a break or a rest is a
+wait, so a lawful plan is one of them. The search without law is the same, but in windows that are
+narrowed by the pauses that every trip needs at least before and after a lane; its ways and meetings
+are then made lawful and improved (`law.rounds`).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+
+import numpy as np
+
+from ..plans.plan import Plan
+from ..plans.proof import Proof
+from .exact import Ways
+from .law.narrowing import narrowed
+from .law.rounds import LawfulFleet
+from .law.written import instants_of, lawful_plan
+from .limits import Limits
+from .model import FleetModel
+from .plan.search import FleetSearch
+from .progress import Progress
+from .run import COURSE, CROWD, CROWDED_COURSE, NOTHING_LEFT, FleetRun
+from .stopping import Course
+
+__all__ = ["LawfulRun"]
+
+WITHOUT_LAW = 0.6
+"""The part of the course in which who drives with whom is searched without law."""
+
+LAST = 0.96
+"""The part of the course at which the search within the law ends."""
+
+WORTH_A_ROUND = 1e-4
+"""A round of neighbourhoods that adds less than this share of the savings is the last."""
+
+TRIES = 1
+"""Neighbourhoods of a round for each truck."""
+
+
+class LawfulRun(FleetRun):
+    """A search under driving rules.
+
+    Parameters
+    ----------
+    model : FleetModel
+        The problem in whole numbers, with its law.
+    limits : Limits
+        What it may do.
+    course : Course
+        How far it is.
+    write_to : str or path or None
+        Where the best plan so far is kept.
+    on_progress : callable or None
+        Told how far it is.
+    """
+
+    def __init__(
+        self,
+        model: FleetModel,
+        limits: Limits,
+        course: Course,
+        write_to: str | os.PathLike[str] | None,
+        on_progress: Callable[[Progress], None] | None,
+    ) -> None:
+        super().__init__(model, limits, course, write_to, on_progress)
+        assert model.legal is not None
+        self.search = FleetSearch(
+            narrowed(model.instance, model.legal), threads=limits.cores, seed=limits.seed,
+            apart=self.apart.rows,
+        )  # fmt: skip
+        apart: list[set[int]] = [set() for _ in range(model.instance.trucks)]
+        for one, other in self.apart.pairs:
+            apart[one].add(other)
+            apart[other].add(one)
+        self.law = LawfulFleet(model, apart, limits.seed)
+
+    @property
+    def planned_cost(self) -> int:
+        """What the lawful plan costs so far [grains]."""
+        return self.law.cost
+
+    def plan(self) -> Plan:
+        """Search to the end of the course and return the plan."""
+        crowded = self.model.instance.trucks >= CROWD
+        course = CROWDED_COURSE if crowded else COURSE
+        self._follow(tuple((who, WITHOUT_LAW * until) for who, until in course))
+        stop = self.course.until(LAST)
+        self.law.start(*self.search.best.ways())
+        self._tell()
+        self.law.improve(stop)
+        self._tell()
+        while self.course.share < LAST and not stop():
+            before = self.law.cost
+            self.law.vary(TRIES * self.model.instance.trucks, stop)
+            self.law.improve(stop)
+            self.course.rounds += 1
+            self._tell()
+            if before - self.law.cost <= WORTH_A_ROUND * (self.alone - self.law.cost):
+                break
+        return self._finished(self._ended())
+
+    def _ended(self) -> str:
+        """Return why the search ended."""
+        if self.law.cost - self.least <= max(1.0, NOTHING_LEFT * (self.alone - self.least)):
+            return "proved"
+        if self.course.interrupted:
+            return "interrupted"
+        return "time" if self.limits.time_s and self.course.share >= LAST else "rounds"
+
+    def _written(self) -> tuple[Plan, Ways, int]:
+        """Return the lawful plan, its ways, and what they cost [grains]."""
+        schedules = self.law.schedules
+        departs = instants_of(self.model, schedules)
+        plan = lawful_plan(self.model, schedules, departs, Proof("heuristic", 0.0, None))
+        lanes = [np.asarray(own.way.lanes, np.int64) for own in schedules]
+        return plan, (lanes, departs), self.law.cost
