@@ -33,6 +33,9 @@ TICK_S = 1e-4
 FINEST = 1e6
 """Grains in a unit of cost at most; a millionth of a metre or of a euro is nothing to anybody."""
 
+FINEST_WAITING = 1e12
+"""The same where waiting has a price, for one tick of it has to be some grains."""
+
 ROOM = 2.0**50
 """All costs together stay below this many grains."""
 
@@ -98,20 +101,23 @@ class Lanes:
         return found
 
 
-def grains_per_unit(total: float) -> float:
+def grains_per_unit(total: float, waits: bool = False) -> float:
     """Return into how many grains a unit of cost is cut.
 
     Parameters
     ----------
     total : float
-        What all trucks cost alone.
+        What all trucks cost alone, or anything else that is to be told in grains.
+    waits : bool
+        Whether waiting has a price.
 
     Returns
     -------
     float
-        A power of ten, at most `FINEST`.
+        A power of ten, at most `FINEST`, or `FINEST_WAITING`.
     """
-    return min(FINEST, 10.0 ** math.floor(math.log10(ROOM / max(total, 1.0))))
+    finest = FINEST_WAITING if waits else FINEST
+    return min(finest, 10.0 ** math.floor(math.log10(ROOM / max(total, 1.0))))
 
 
 def lanes_of(

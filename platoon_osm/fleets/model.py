@@ -6,6 +6,7 @@ any time, or that is late even alone.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -108,23 +109,42 @@ def modelled(problem: Problem, limits: Limits, refused: Sequence[Unserved] = ())
     assert windows is not None
     assert first is not None
     fleet, ends = question.fleet, question.ends
-    grains = grains_per_unit(float(question.solo.sum()))
     largest = problem.max_platoon or 0
     alike: dict[tuple[int, str], int] = {}
     kinds = [
         alike.setdefault((kind, limits.carriers.get(end.vehicle, "")), len(alike))
         for kind, end in zip(fleet.kind, ends, strict=True)
     ]
+    grains = _grains(question, prices, kinds)
     places = [node for end in ends for node in (end.origin, end.destination)]
     lanes = lanes_of(question.net, fleet, kinds, places, largest, grains)
     routes = lanes.of_routes(question.alone)
     instance, rounds = paired(
         lanes, _wanted(lanes, ends, windows, routes), given=limits.routes == "given",
-        largest=largest, waiting=round(prices.waiting * TICK_S * grains),
+        largest=largest, waiting=math.floor(prices.waiting * TICK_S * grains),
     )  # fmt: skip
     return FleetModel(
         question, first, tuple(asked), lanes, instance, rounds, tuple(routes), unserved, legal
     )
+
+
+def _grains(question: Question, prices: TimePrices, kinds: Sequence[int]) -> float:
+    """Return grains in a unit of cost: fine, but all lanes and any wait have to be told in them."""
+    total = float(question.solo.sum())
+    windows = question.windows
+    if prices.waiting <= 0 or windows is None:
+        return grains_per_unit(total)
+    arrival = np.array([own.arrival for own in windows], np.float64)
+    begins = min(
+        until - alone_s if own.earliest is None else own.earliest
+        for own, until, alone_s in zip(windows, arrival.tolist(), question.alone_s, strict=True)
+    )
+    waits = prices.waiting * float(arrival.max() - begins)
+    roads = 0.0
+    for kind in range(max(kinds) + 1):
+        alone = question.fleet.alone(kinds.index(kind))
+        roads += float(alone[np.isfinite(alone)].sum())
+    return grains_per_unit(2 * max(total, waits, roads), waits=True)
 
 
 def _checked(problem: Problem, limits: Limits) -> TimePrices:
@@ -147,6 +167,10 @@ def _checked(problem: Problem, limits: Limits) -> TimePrices:
         (problem.lead != "master", "a rotated lead; use lead master"),
         (problem.company != "anywhere", "company of the master alone; use company anywhere"),
         (prices.delay > 0, "prices of delay; use an objective without"),
+        (
+            prices.waiting > 0 and limits.per_trip == "one",
+            "a price of waiting and one platoon a trip; let trips have many",
+        ),
         (not prices.are_even, "a price of waiting that is not even; give one by the hour"),
     ):
         if refused:

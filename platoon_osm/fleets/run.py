@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..costs.time_prices import TimePrices
 from ..errors import ScenarioError
 from ..plans.convoys import convoys_of
 from ..plans.fleet import FleetRecord, Moment
@@ -28,10 +29,12 @@ from .conditions import conditions_of
 from .exact import Ways
 from .exact_process import exact_fleet
 from .kept_apart import Apart
+from .lanes import TICK_S
 from .limits import Limits
 from .memory import many_records, peak_mb
 from .model import FleetModel
 from .one_platoon import one_platoon
+from .plan.schedules import Schedules
 from .plan.search import FleetSearch
 from .progress import Progress
 from .shifting import shifted
@@ -314,11 +317,21 @@ class FleetRun:
     def _written(self) -> tuple[Plan, Ways, int]:
         """Return the best plan, its ways, and what they cost [grains]."""
         lanes, departs = self._best_ways()
-        moved = shifted(self.model.instance, lanes, departs)
+        moved, paid = shifted(self.model.instance, lanes, departs), self.cost
         if self.limits.per_trip == "many" and self.apart.kept_by((lanes, moved)):
-            departs = moved
+            departs, paid = self._with_less_waiting(lanes, departs, moved)
         plan = plan_of(self.model, lanes, departs, Proof("heuristic", 0.0, None), None)
-        return plan, (lanes, departs), self.cost
+        return plan, (lanes, departs), paid
+
+    def _with_less_waiting(
+        self, lanes: list[Ints], departs: list[Ints], moved: list[Ints]
+    ) -> tuple[list[Ints], int]:
+        """Return the better of two timings of a plan, and what it costs [grains]."""
+        instance = self.model.instance
+        if not instance.waiting:
+            return moved, self.cost
+        costs = [Schedules.of(lanes, own).cost(instance) for own in (departs, moved)]
+        return (moved, costs[1]) if costs[1] <= costs[0] else (departs, costs[0])
 
     def _finished(self, ended: str, write: bool = True) -> Plan:
         """Return the plan as it is now, and write it if that is wanted."""
@@ -332,6 +345,10 @@ class FleetRun:
         plan, (lanes, departs), paid = self._written()
         cost = sum(share.cost for stretch in plan.stretches for share in stretch.shares)
         alone = sum(trip.alone.cost for trip in plan.trips)
+        waiting = TimePrices.of(model.question.problem.objective).waiting
+        if waiting > 0:
+            ticks = Schedules.of(lanes, departs).waited(model.instance)
+            cost += waiting * ticks * TICK_S
         saving = alone - cost
         bound = max(saving, alone - certified / unit)
         told = None

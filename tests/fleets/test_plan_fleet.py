@@ -1,5 +1,6 @@
 """`plan_fleet` from trips to plan: proofs, checkers, limits, and what is refused."""
 
+import itertools
 import json
 import subprocess
 import sys
@@ -12,6 +13,7 @@ from places import ROOT
 from random_networks import network
 
 import platoon_osm as po
+from platoon_osm.costs.money.objective import money_costs
 from platoon_osm.errors import ScenarioError
 from platoon_osm.inspection.certificate.belief import certify
 from platoon_osm.plans.convoys import convoys_of
@@ -129,6 +131,56 @@ def test_objectives_by_name(net, name):
     plan = po.plan_fleet(asked(net, 20, PRESETS[name].make()), ROUNDS)
     assert 0 < plan.fleet.saving <= plan.fleet.bound
     assert plan.fleet.gap < 0.1
+
+
+@pytest.mark.parametrize("routes", ["free", "given"])
+@pytest.mark.parametrize("name", ["eu", "us", "eu, waiting at 1 EUR/h"])
+def test_money_counts_waiting_in_plan_bound_and_certificate(net, tmp_path, name, routes):
+    """Half of the trips have to leave within four minutes, so that some wait on the road."""
+    own = [
+        replace(trip, latest_departure=trip.earliest_departure + timedelta(minutes=4))
+        if k % 2
+        else trip
+        for k, trip in enumerate(trips(30))
+    ]
+    cheap = {"waiting_per_h": 1.0} if "," in name else {}
+    costs = money_costs(name[:2], **cheap)
+    file = tmp_path / "fleet.json"
+    limits = po.Limits(time_s=None, rounds=14, routes=routes)
+    plan = po.plan_fleet(po.Problem(net, own, costs), limits, write_to=file)
+    fleet = plan.fleet
+    assert 0 < fleet.saving <= fleet.bound
+    assert fleet.gap < 0.02
+    assert plan.timetable.feasible
+    assert po.inspect_plan(plan) == []
+    # What drivers wait, by the timetable alone.
+    waited_s = sum(
+        begin - end
+        for times in plan.timetable.vehicles
+        for (_, end), (begin, _) in itertools.pairwise(times.legs)
+    )
+    assert (waited_s > 60) == bool(cheap)
+    driving = sum(share.cost for stretch in plan.stretches for share in stretch.shares)
+    paid = fleet.alone_cost - fleet.saving
+    assert paid == pytest.approx(driving + costs.waiting(waited_s), abs=1e-4)
+    cents = [dict(zip(plan.bill.terms, one.joint_cents, strict=True)) for one in plan.bill.vehicles]
+    billed = sum(one["waiting"] for one in cents) / 100
+    assert billed == pytest.approx(costs.waiting(waited_s), abs=0.005 * len(own))
+    belief, beside = certify(file)
+    assert beside == plan
+    assert float(belief.saving) == pytest.approx(fleet.saving, rel=1e-3)
+    assert float(belief.saving) >= fleet.saving - 1e-6
+    assert any("waiting on the road has its price" in one for one in fleet.conditions)
+
+
+def test_prices_that_fleets_are_not_planned_with_are_refused_in_one_line(net):
+    dear = money_costs("eu", delay_per_h=5.0)
+    with pytest.raises(ScenarioError, match="prices of delay"):
+        po.plan_fleet(asked(net, 4, dear), ROUNDS)
+    with pytest.raises(ScenarioError, match="price of waiting and one platoon a trip"):
+        po.plan_fleet(
+            asked(net, 4, money_costs("eu"), max_platoon=2), po.Limits(rounds=4, per_trip="one")
+        )
 
 
 def test_carriers_and_vehicles_apart(net):

@@ -239,10 +239,8 @@ def join_price(
         The pair, and how many enter.
     open_price : float
         What entering where nobody does is guessed to cost [grains].
-    costs : Costs
-        What lanes cost.
-    used, taste : Used, Taste
-        The pairs, and how it guesses.
+    used, costs, taste : Used, Costs, Taste
+        The pairs, what lanes cost, and how it guesses.
 
     Returns
     -------

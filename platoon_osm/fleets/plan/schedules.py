@@ -6,6 +6,7 @@ count here shares nothing with the one that the search keeps up to date.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,6 +65,27 @@ class Schedules:
     lanes: NDArray[np.int32]
     departs: Ints
     count: Ints
+
+    @classmethod
+    def of(cls, lanes: Sequence[Ints], departs: Sequence[Ints]) -> Schedules:
+        """Return the schedules of lists.
+
+        Parameters
+        ----------
+        lanes, departs : sequence of ndarray of int64, (N, ...)
+            The lanes of each truck in driving order, and when it enters them [ticks].
+
+        Returns
+        -------
+        Schedules
+            The same.
+        """
+        count = np.array([len(own) for own in lanes], np.int64)
+        used = np.arange(int(count.max(initial=0)))[None, :] < count[:, None]
+        one = cls(np.zeros(used.shape, np.int32), np.zeros(used.shape, np.int64), count)
+        if used.any():
+            one.lanes[used], one.departs[used] = np.concatenate(lanes), np.concatenate(departs)
+        return one
 
     def driven(self) -> tuple[Ints, Ints, Ints]:
         """Return all that is driven, truck by truck.
