@@ -80,6 +80,10 @@ def fleet_options(verb: Run) -> Run:
             WHAT, "--rules", type=rules_named,
             help="Driving rules by which breaks and rests are planned, such as eu561; else none.",
         ),
+        section_option(
+            WHAT, "--together", type=FILE,
+            help="CSV with a group a row: vehicles that must drive together.",
+        ),
         shared_option(WHAT, "--profile"),
         shared_option(WHAT, "--close"),
         shared_option(WHAT, "--access-limit-km"),
@@ -167,19 +171,22 @@ def limits_of(table: FleetTable, given: dict[str, Any]) -> Any:
     ScenarioError
         A value that is none, or a vehicle that is not in the table.
     """
-    from ..fleets.apart_table import read_apart
+    from ..fleets.apart_table import read_apart, read_together
     from ..fleets.limits import Limits
 
     limits = {name: given.pop(name) for name in LIMIT_KEYS}
     if limits["time_s"] is None and limits["rounds"] is None:
         limits["time_s"] = Limits().time_s
-    apart = given.pop("apart")
+    apart, together = given.pop("apart"), given.pop("together")
     known = {trip.vehicle for trip in table.trips}
     unread = {one.vehicle for one in table.unserved} - known
     pairs = [] if apart is None else read_apart(apart)
+    groups = [] if together is None else read_together(together)
+    known_of = [tuple(name for name in group if name not in unread) for group in groups]
     found = Limits(
-        **limits, carriers=table.carriers, apart=tuple(p for p in pairs if not unread & {*p})
-    )
+        **limits, carriers=table.carriers, apart=tuple(p for p in pairs if not unread & {*p}),
+        together=tuple(group for group in known_of if len(group) > 1),
+    )  # fmt: skip
     found.check_names(known)
     return found
 

@@ -48,6 +48,8 @@ def conditions_of(model: FleetModel, limits: Limits) -> tuple[str, ...]:
         found.append("the bound knows no breaks and rests: they are waits, and may be had anywhere")
     if limits.apart:
         found.append("the bound lets all drive together, also those that must not")
+    if limits.together:
+        found.append("the bound lets all drive alone, also those that must drive together")
     if limits.min_gain:
         found.append("the bound asks no least gain of a platoon")
     found.append(f"costs are rounded to {1 / model.lanes.grains:g}, and times to {TICK_S:g} s")

@@ -20,7 +20,7 @@ from .one_group import Group, group_of
 from .packing import packed
 from .pairs import PairOffer, pair_offers
 
-__all__ = ["grown"]
+__all__ = ["Keeps", "grown", "nowhere"]
 
 BEST = 8
 """Candidates of each truck that grow, of each size; all of few trucks do."""
@@ -38,6 +38,9 @@ PACKING_S = 10.0
 """The choice takes no longer [s]."""
 
 
+Keeps = Callable[[Group, Sequence[int]], bool]
+
+
 class _Pool:
     """The best platoon of each set of trucks."""
 
@@ -46,10 +49,10 @@ class _Pool:
 
     def add(self, group: Group | None) -> bool:
         """Add a platoon; tell whether it is new or better."""
-        if group is None or group.saving <= 0:
+        if group is None:
             return False
         known = self.best.get(group.trucks)
-        if known is not None and known.saving >= group.saving:
+        if group.saving <= (0 if known is None else known.saving):
             return False
         self.best[group.trucks] = group
         return True
@@ -60,14 +63,15 @@ class _Growth:
 
     def __init__(
         self, instance: Instance, offers: Sequence[PairOffer], apart: Collection[tuple[int, int]],
-        largest: int, stop: Callable[[], bool],
+        forced: Sequence[Group], stop: Callable[[], bool],
     ) -> None:  # fmt: skip
         self.joining = Joining(instance)
         self.apart: dict[int, set[int]] = {}
         for a, b in apart:
             self.apart.setdefault(a, set()).add(b)
             self.apart.setdefault(b, set()).add(a)
-        self.largest = largest or instance.trucks
+        self.largest = instance.largest or instance.trucks
+        self.forced = forced
         self.stop = stop
         self.few = instance.trucks <= FEW
         self.pool = _Pool()
@@ -75,17 +79,16 @@ class _Growth:
         for one in offers:
             near.setdefault(one.first, []).append((-one.saving, one.second))
             near.setdefault(one.second, []).append((-one.saving, one.first))
-            self.pool.add(
-                group_of(
-                    instance, self.joining.windows, (one.first, one.second), one.lanes, one.departs
-                )
-            )
+            pair = (one.first, one.second)
+            self.pool.add(group_of(instance, self.joining.windows, pair, one.lanes, one.departs))
+        for group in forced:
+            self.pool.best.setdefault(group.trucks, group)
         most = instance.trucks if self.few else NEAR
         self.near = {k: [other for _, other in sorted(own)[:most]] for k, own in near.items()}
 
     def grow(self) -> None:
         """Make candidates of every size from those one smaller."""
-        size = 2
+        size, last = 2, max([2, *(len(group.trucks) for group in self.forced)])
         while size < self.largest and not self.stop():
             seeds = self._best_of(size)
             for group in seeds:
@@ -93,7 +96,7 @@ class _Growth:
                     return
                 self._one_more(group)
             size += 1
-            if not any(len(trucks) == size for trucks in self.pool.best):
+            if size > last and not any(len(trucks) == size for trucks in self.pool.best):
                 return
 
     def around(self, chosen: Iterable[Group]) -> bool:
@@ -168,11 +171,31 @@ class _Growth:
         return found
 
 
+def nowhere(_group: Group, _trucks: Sequence[int]) -> bool:
+    """Tell of no platoon that trucks drive together in it.
+
+    Parameters
+    ----------
+    _group : Group
+        Any.
+    _trucks : sequence of int
+        Any.
+
+    Returns
+    -------
+    bool
+        False.
+    """
+    return False
+
+
 def grown(
     instance: Instance,
     *,
     least: int = 0,
     apart: Collection[tuple[int, int]] = (),
+    forced: Sequence[Group] = (),
+    keeps: Keeps = nowhere,
     stop: Callable[[], bool] | None = None,
     time_s: float | None = None,
 ) -> list[Group]:
@@ -186,6 +209,10 @@ def grown(
         What a platoon has to save [grains].
     apart : collection of (int, int)
         Trucks that must not drive together.
+    forced : sequence of Group
+        Platoons of trucks that must drive together, though others may join them.
+    keeps : callable, optional
+        Tells whether trucks that must drive together do so in some platoon.
     stop : callable, optional
         Asked now and then whether to go on with the candidates there are.
     time_s : float or None
@@ -198,14 +225,25 @@ def grown(
     """
     banned = {(min(pair), max(pair)) for pair in apart}
     offers = [one for one in pair_offers(instance) if (one.first, one.second) not in banned]
-    growth = _Growth(instance, offers, banned, instance.largest, stop or _never)
+    growth = _Growth(instance, offers, banned, forced, stop or _never)
     growth.grow()
+    must = {k for group in forced for k in group.trucks}
     limit = None if time_s is None else min(PACKING_S, time_s)
 
     def choice() -> list[Group]:
-        worth = [group for group in growth.pool.best.values() if group.saving >= max(1, least)]
-        worth.sort(key=lambda group: group.trucks)
-        return packed(worth, solver, limit)
+        free = [group for group in growth.pool.best.values() if must.isdisjoint(group.trucks)]
+        worth = [group for group in free if group.saving >= max(1, least)]
+        # The platoons as they are told stand beside those of the same trucks that save more.
+        bound = [one for one in growth.pool.best.values() if not must.isdisjoint(one.trucks)]
+        worth += [
+            group
+            for group in (*bound, *forced)
+            if all(
+                {*own.trucks}.isdisjoint(group.trucks) or keeps(group, own.trucks) for own in forced
+            )
+        ]
+        worth.sort(key=lambda group: (group.trucks, group.saving))
+        return packed(worth, must, solver, limit)
 
     with Solver() as solver:
         chosen = choice()

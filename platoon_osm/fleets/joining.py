@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ..search.hierarchy.runtime.jit import compiled
 from .instance import Instance
 from .labels import Labels, labels_of
-from .one_group import Group, Windows, group_of
+from .one_group import Group, Windows, group_of, passes_twice
 
 __all__ = ["Joining"]
 
@@ -70,7 +70,7 @@ class Joining:
         Returns
         -------
         Group or None
-            None if it saves nothing more.
+            None if it saves nothing more, or only by passing a place twice.
         """
         table, chain = self._tried(group, [truck])
         gain, later, there, onward, count = table[0].tolist()
@@ -81,11 +81,14 @@ class Joining:
         at = np.concatenate(group.departs)[chain[:count]] + later
         before = np.array(self._there.way(there)[::-1], np.int64)
         after = np.array(self._onward.way(onward), np.int64)
+        driven = np.concatenate([before, lane, after])
+        if passes_twice(instance, driven):
+            return None
         early = int(instance.earliest[truck]) + _sums(instance, before)[:-1]
         late = int(at[-1] + instance.drive[lane[-1]]) + _sums(instance, after)[:-1]
         return group_of(
             instance, self.windows, [*group.trucks, truck],
-            [*group.lanes, np.concatenate([before, lane, after])],
+            [*group.lanes, driven],
             [*(own + later for own in group.departs), np.concatenate([early, at, late])],
         )  # fmt: skip
 

@@ -44,6 +44,10 @@ class Limits:
         What a platoon has to save from its merging to its separation, in the unit of costs.
     apart : tuple of (str, str)
         Vehicles that must not drive together.
+    together : tuple of tuple of str
+        Groups of vehicles that must drive together, each vehicle in one group: all of a group in
+        one platoon on one stretch at least, or, where they have one origin and one destination,
+        from start to end.
     carriers : mapping of str to str
         Carriers of vehicles, by their names; vehicles of unlike carriers do not drive together,
         and those that name none drive with their like.
@@ -62,6 +66,7 @@ class Limits:
     per_trip: PerTrip = "many"
     min_gain: float = 0.0
     apart: tuple[tuple[str, str], ...] = ()
+    together: tuple[tuple[str, ...], ...] = ()
     carriers: Mapping[str, str] = field(default_factory=lambda: NOBODY)
 
     def __post_init__(self) -> None:
@@ -83,6 +88,7 @@ class Limits:
         if not (is_number(self.min_gain) and 0 <= self.min_gain < math.inf):
             raise ScenarioError(f"limits: min_gain is {brief(self.min_gain)}; give 0 or more")
         object.__setattr__(self, "apart", _pairs(self.apart))
+        object.__setattr__(self, "together", _groups(self.together))
         object.__setattr__(self, "carriers", _carriers(self.carriers))
 
     @property
@@ -106,6 +112,7 @@ class Limits:
         known = set(names)
         for label, named in (
             ("apart", [name for pair in self.apart for name in pair]),
+            ("together", [name for group in self.together for name in group]),
             ("carriers", list(self.carriers)),
         ):
             missing = next((name for name in named if name not in known), None)
@@ -127,6 +134,27 @@ def _pairs(given: Any) -> tuple[tuple[str, str], ...]:
         if not fits or not all(isinstance(name, str) for name in pair) or pair[0] == pair[1]:
             raise ScenarioError(f"limits: apart holds {brief(pair)}; give pairs of vehicle names")
         found.append((pair[0], pair[1]))
+    return tuple(found)
+
+
+def _groups(given: Any) -> tuple[tuple[str, ...], ...]:
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise ScenarioError(f"limits: together is a {kind_of(given)}; give groups of vehicle names")
+    found: list[tuple[str, ...]] = []
+    known: set[str] = set()
+    for group in given:
+        fits = isinstance(group, tuple | list) and len(group) > 1
+        if not fits or not all(isinstance(name, str) for name in group):
+            raise ScenarioError(
+                f"limits: together holds {brief(group)}; give groups of two and more vehicle names"
+            )
+        for name in group:
+            if name in known:
+                raise ScenarioError(
+                    f"limits: together names {brief(name)} twice; put each vehicle in one group"
+                )
+            known.add(name)
+        found.append(tuple(group))
     return tuple(found)
 
 

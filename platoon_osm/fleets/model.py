@@ -159,6 +159,7 @@ def _checked(problem: Problem, limits: Limits) -> TimePrices:
             "driving rules and one platoon a trip; let trips have many",
         ),
         (law and limits.min_gain > 0, "driving rules and a min_gain"),
+        (law and limits.together, "driving rules and vehicles that must drive together"),
         (
             law and not prices.are_free,
             "driving rules and a price of waiting; use an objective without",

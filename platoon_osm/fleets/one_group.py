@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from .instance import Instance
 
-__all__ = ["Group", "Windows", "group_of"]
+__all__ = ["Group", "Windows", "group_of", "passes_twice"]
 
 Ints = NDArray[np.int64]
 
@@ -107,7 +107,7 @@ def group_of(
     Returns
     -------
     Group or None
-        None if they are not one platoon, if one passes a place twice, or is late.
+        None if they are not one platoon, or one is late.
     """
     order = sorted(range(len(trucks)), key=lambda place: trucks[place])
     lanes = [lanes[place] for place in order]
@@ -125,7 +125,7 @@ def group_of(
     if runs is None:
         return None
     slack = min(int((last - at).min()) for last, at in zip(until, times, strict=True))
-    if slack < 0 or any(_passes_twice(instance, own) for own in lanes):
+    if slack < 0:
         return None
     return Group(
         tuple(trucks), _saving(instance, trucks, lanes, times), tuple(lanes), tuple(times),
@@ -166,7 +166,21 @@ def _hang_together(count: int, companies: Sequence[Sequence[int]]) -> bool:
     return len(reached) == count
 
 
-def _passes_twice(instance: Instance, lanes: Ints) -> bool:
+def passes_twice(instance: Instance, lanes: Ints) -> bool:
+    """Tell whether lanes lead through a place twice.
+
+    Parameters
+    ----------
+    instance : Instance
+        The problem.
+    lanes : ndarray of int64
+        In driving order.
+
+    Returns
+    -------
+    bool
+        Whether they do.
+    """
     nodes = [int(instance.tail[lanes[0]]), *instance.head[lanes].tolist()]
     return len(set(nodes)) < len(nodes)
 

@@ -11,7 +11,7 @@ put on the roads one after another, each as few ticks later as keep it from all 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -19,11 +19,11 @@ import numpy as np
 from ..errors import ScenarioError
 from .companies import companies_of
 from .exact import Ways
-from .growing import grown
+from .growing import Keeps, grown, nowhere
 from .instance import Instance
 from .labels import alone_ways
 from .matching import matched_pairs
-from .one_group import Windows
+from .one_group import Group, Windows
 
 __all__ = ["one_platoon"]
 
@@ -43,6 +43,8 @@ def one_platoon(
     seed: int,
     least: int = 0,
     apart: Collection[tuple[int, int]] = (),
+    forced: Sequence[Group] = (),
+    keeps: Keeps = nowhere,
     stop: Callable[[], bool] | None = None,
     time_s: float | None = None,
 ) -> tuple[Ways, int]:
@@ -58,6 +60,10 @@ def one_platoon(
         What a platoon has to save [grains].
     apart : collection of (int, int)
         Trucks that must not drive together, the lower number first.
+    forced : sequence of Group
+        Platoons of trucks that must drive together, though others may join them.
+    keeps : callable
+        Tells whether trucks that must drive together do so in some platoon.
     stop : callable, optional
         Asked now and then whether to take the best of the larger platoons that are found.
     time_s : float or None
@@ -68,8 +74,8 @@ def one_platoon(
     ways : Ways
         Lanes of each truck, and when it enters them [ticks].
     saving : int
-        What it saves; if the largest platoon is 2, no plan with one platoon a trip saves more, but
-        for that tenth of a second [grains].
+        What it saves; if the largest platoon is 2 and nobody is forced, no plan with one platoon a
+        trip saves more, but for that tenth of a second [grains].
 
     Raises
     ------
@@ -77,8 +83,8 @@ def one_platoon(
         Trucks that meet by accident whatever is tried.
     """
     forbidden = frozenset(apart)
-    if instance.largest != 2:
-        return _of_any_size(instance, least, forbidden, stop, time_s)
+    if instance.largest != 2 or forced:
+        return _of_any_size(instance, least, forbidden, (forced, keeps), stop, time_s)
     rng = np.random.default_rng(seed)
     room = np.minimum(MOST_TICKS, _room(instance))
     for _ in range(DRAWS):
@@ -100,10 +106,14 @@ def _of_any_size(
     instance: Instance,
     least: int,
     apart: Collection[tuple[int, int]],
+    forced: tuple[Sequence[Group], Keeps],
     stop: Callable[[], bool] | None,
     time_s: float | None,
 ) -> tuple[Ways, int]:
-    groups = grown(instance, least=least, apart=apart, stop=stop, time_s=time_s)
+    groups = grown(
+        instance, least=least, apart=apart, forced=forced[0], keeps=forced[1], stop=stop,
+        time_s=time_s,
+    )  # fmt: skip
     lanes, departs = alone_ways(instance)
     windows = Windows(instance)
     units = [(group.trucks, group.slack) for group in groups]

@@ -8,7 +8,7 @@ save for each truck.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 
@@ -25,6 +25,7 @@ FEW = 14
 
 def packed(
     groups: Sequence[Group],
+    must: Collection[int],
     solver: Solver,
     time_s: float | None,
     stop: Callable[[], bool] | None = None,
@@ -34,7 +35,9 @@ def packed(
     Parameters
     ----------
     groups : sequence of Group
-        All that could be driven; each saves something.
+        All that could be driven.
+    must : collection of int
+        Trucks each of which is in one of those that are chosen.
     solver : Solver
         Whom to ask.
     time_s : float or None
@@ -48,43 +51,46 @@ def packed(
         By their first trucks.
     """
     trucks = sorted({k for group in groups for k in group.trucks})
+    # What each brings, and so much for every truck that must be in one that nothing outweighs it.
+    worth = 1 + sum(abs(group.saving) for group in groups) if must else 0
+    gains = [group.saving + worth * len({*must} & {*group.trucks}) for group in groups]
     if len(trucks) <= FEW:
-        found = _by_sets(groups, trucks)
+        found = _by_sets(groups, gains, trucks)
     else:
-        solved = solver.solve(_programme(groups, trucks), time_s, stop=stop)
+        solved = solver.solve(_programme(groups, must, trucks), time_s, stop=stop)
         found = (
-            _in_turn(groups)
+            _in_turn(groups, gains)
             if solved is None
             else [group for group, value in zip(groups, solved[0], strict=True) if value > 0.5]
         )
     return sorted(found, key=lambda group: group.trucks)
 
 
-def _by_sets(groups: Sequence[Group], trucks: Sequence[int]) -> list[Group]:
+def _by_sets(groups: Sequence[Group], gains: Sequence[int], trucks: Sequence[int]) -> list[Group]:
     """Go through all sets of trucks that are left, the lowest truck of each in turn."""
     bit = {k: 1 << place for place, k in enumerate(trucks)}
-    by_first: dict[int, list[tuple[int, Group]]] = {}
-    for group in groups:
+    by_first: dict[int, list[tuple[int, int, Group]]] = {}
+    for group, gain in zip(groups, gains, strict=True):
         mask = sum(bit[k] for k in group.trucks)
-        by_first.setdefault(mask & -mask, []).append((mask, group))
+        by_first.setdefault(mask & -mask, []).append((mask, gain, group))
     best: dict[int, tuple[int, list[Group]]] = {0: (0, [])}
 
     def of(left: int) -> tuple[int, list[Group]]:
         if left not in best:
             low = left & -left
             found = of(left ^ low)
-            for mask, group in by_first.get(low, ()):
+            for mask, gain, group in by_first.get(low, ()):
                 if mask & left == mask:
-                    saving, rest = of(left ^ mask)
-                    if saving + group.saving > found[0]:
-                        found = (saving + group.saving, [group, *rest])
+                    others, rest = of(left ^ mask)
+                    if others + gain > found[0]:
+                        found = (others + gain, [group, *rest])
             best[left] = found
         return best[left]
 
     return of((1 << len(trucks)) - 1)[1]
 
 
-def _programme(groups: Sequence[Group], trucks: Sequence[int]) -> Programme:
+def _programme(groups: Sequence[Group], must: Collection[int], trucks: Sequence[int]) -> Programme:
     row_of = {k: row for row, k in enumerate(trucks)}
     sizes = [len(group.trucks) for group in groups]
     rows = [row_of[k] for group in groups for k in group.trucks]
@@ -92,15 +98,17 @@ def _programme(groups: Sequence[Group], trucks: Sequence[int]) -> Programme:
     return Programme(
         np.array([group.saving for group in groups], np.int64), np.ones(count),
         np.ones(count, bool), np.array(rows, np.int64), np.repeat(np.arange(count), sizes),
-        np.ones(len(rows), np.int64), np.full(len(trucks), -np.inf), np.ones(len(trucks)),
-        Entries(none, none, none),
+        np.ones(len(rows), np.int64), np.where(np.isin(trucks, list(must)), 1.0, -np.inf),
+        np.ones(len(trucks)), Entries(none, none, none),
     )  # fmt: skip
 
 
-def _in_turn(groups: Sequence[Group]) -> list[Group]:
+def _in_turn(groups: Sequence[Group], gains: Sequence[int]) -> list[Group]:
     taken: set[int] = set()
     found = []
-    for group in sorted(groups, key=lambda one: (-one.saving / len(one.trucks), one.trucks)):
+    each = [gain / len(group.trucks) for group, gain in zip(groups, gains, strict=True)]
+    for place in sorted(range(len(groups)), key=lambda place: (-each[place], place)):
+        group = groups[place]
         if taken.isdisjoint(group.trucks):
             taken.update(group.trucks)
             found.append(group)

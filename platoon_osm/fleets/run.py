@@ -39,6 +39,7 @@ from .plan.search import FleetSearch
 from .progress import Progress
 from .shifting import shifted
 from .stopping import Course
+from .together import Together
 from .trees.starting import tree_start
 from .written import plan_of
 
@@ -127,21 +128,39 @@ class FleetRun:
         names = [trip.vehicle for trip in model.question.problem.trips]
         self.bound = Bound(model.instance, threads=limits.cores, seed=limits.seed)
         self.apart = Apart(names, limits.apart)
-        self.search = FleetSearch(
-            model.instance, threads=limits.cores, seed=limits.seed, apart=self.apart.rows
-        )
+        self.together = Together(model, limits.together, self.apart.pairs)
+        self.search = self._searching()
         self.alone = int(model.instance.alone_cost.sum())
         self.exact: _Exact | None = None
         self.history: list[Moment] = []
         self.written_s = 0.0
         self.written_cost = self.alone + 1
 
+    def _searching(self) -> FleetSearch:
+        """Return a search that keeps to who must and must not drive together."""
+        # They drive nowhere until they respond to the others.
+        nowhere = (np.zeros(0, np.int64), np.zeros(0, np.int64))
+        fixed = dict.fromkeys(self.together.trucks, nowhere)
+        if self.limits.per_trip == "many" and any({*pair} & {*fixed} for pair in self.apart.pairs):
+            raise ScenarioError(
+                "fleet: vehicles that must drive together are planned as if nobody kept apart from "
+                "them; let trips have one platoon, or leave one of both out"
+            )
+        search = FleetSearch(
+            self.model.instance, threads=self.limits.cores, seed=self.limits.seed,
+            apart=self.apart.rows, fixed=fixed,
+        )  # fmt: skip
+        if self.together:
+            self.together.answered(search, from_nothing=True)
+        return search
+
     def plan(self) -> Plan:
         """Search to the end of the course and return the plan."""
         if self.limits.per_trip == "one":
             return self._finished(self._one_a_trip())
         course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
-        start = None if self.apart else tree_start(self.model.instance)
+        restricted = bool(self.apart) or bool(self.together)
+        start = None if restricted else tree_start(self.model.instance)
         if start is not None:
             self.search.take(*start)
         ended = self._follow(course)
@@ -157,15 +176,13 @@ class FleetRun:
                 platoon.vehicles
                 for platoon in convoys_of(plan)
                 if (platoon.saving or 0.0) < self.limits.min_gain
+                and not any({*group} <= {*platoon.vehicles} for group in self.together.groups)
             ]
             if not small:
                 return self._finished("refused" if refusals else ended)
             self.apart = self.apart.also(small)
             self.exact = None
-            self.search = FleetSearch(
-                self.model.instance, threads=self.limits.cores, seed=self.limits.seed,
-                apart=self.apart.rows,
-            )  # fmt: skip
+            self.search = self._searching()
             self.search.construct(self.bound.shares, self.bound.guide)
             for heat in (0.2, 0.1, 0.0):
                 self.search.improve(
@@ -184,15 +201,17 @@ class FleetRun:
         """Plan one platoon a trip; return why it ended."""
         at, limit = self.course, self.limits.time_s
         ways, saving = one_platoon(
-            self.model.instance,
+            self.together.whole_instance() if self.together else self.model.instance,
             self.limits.seed,
             math.ceil(self.limits.min_gain * self.model.lanes.grains),
             self.apart.pairs,
+            self.together.platoons() if self.together else (),
+            self.together.drive,
             stop=at.until(ONE_PLATOON),
             time_s=None if limit is None else ONE_PLATOON * limit,
         )
         cost = self.alone - saving
-        proved = self.model.instance.largest == 2
+        proved = self.model.instance.largest == 2 and not self.together
         self.exact = _Exact(ways, cost, cost if proved else 0)
         self._tell()
         until = COURSE[-1][1]
@@ -231,6 +250,8 @@ class FleetRun:
                     heat = max(0.0, (left - COLD) / (1 - COLD))
                     moves = MOVES if self.model.instance.trucks > FEW_MOVES else FEW_MOVES
                     self.search.improve(self.bound.shares, self.bound.guide, moves, heat, stop)
+                    if self.together:
+                        self.together.answered(self.search)
                 at.rounds += 1
                 self._tell()
             if at.interrupted:
@@ -266,14 +287,17 @@ class FleetRun:
     def _try_exact(self, until: float) -> None:
         """Solve the exact model, where it is small and plan and bound are not at one yet."""
         instance, late = self.model.instance, self.course.share >= until
-        if late or self._proved or instance.waiting or self.apart or not self._leaves_freely:
+        restricted = bool(self.apart) or bool(self.together)
+        if late or self._proved or instance.waiting or restricted or not self._leaves_freely:
             return
         left_s = None
         if self.limits.time_s is not None:
             left_s = max(1.0, (until - self.course.share) * self.limits.time_s)
         found = exact_fleet(instance, left_s, most=SMALL, stop=self.course.until(until))
         if found is not None:
-            self.exact = _Exact(found.ways, self.alone - found.saving, self.alone - found.bound)
+            # The solver's sums are rounded in their last digits; the certificate's are not.
+            cost = Schedules.of(*found.ways).cost(instance)
+            self.exact = _Exact(found.ways, cost, min(cost, self.alone - found.bound))
             self.course.rounds += 1
             self._tell()
 
@@ -320,6 +344,9 @@ class FleetRun:
         moved, paid = shifted(self.model.instance, lanes, departs), self.cost
         if self.limits.per_trip == "many" and self.apart.kept_by((lanes, moved)):
             departs, paid = self._with_less_waiting(lanes, departs, moved)
+        if self.together:
+            lanes, departs = self.together.kept((lanes, departs))
+            paid = Schedules.of(lanes, departs).cost(self.model.instance)
         plan = plan_of(self.model, lanes, departs, Proof("heuristic", 0.0, None), None)
         return plan, (lanes, departs), paid
 

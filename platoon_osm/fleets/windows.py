@@ -59,7 +59,13 @@ class Wanted:
 
 
 def paired(
-    lanes: Lanes, wanted: Wanted, *, given: bool, largest: int, waiting: int = 0
+    lanes: Lanes,
+    wanted: Wanted,
+    *,
+    given: bool,
+    largest: int,
+    waiting: int = 0,
+    whole: Sequence[int] = (),
 ) -> tuple[Instance, int]:
     """Return the instance of some trucks on some lanes.
 
@@ -75,6 +81,8 @@ def paired(
         Vehicles of the largest platoon; 0 for any.
     waiting : int
         Price of waiting on the road [grains a tick].
+    whole : sequence of int
+        Trucks that keep all their pairs, also those that no best plan needs.
 
     Returns
     -------
@@ -96,6 +104,7 @@ def paired(
     done = 0
     while not given and done < ROUNDS:
         keep = _needed(lanes, wanted, cost, truck, lane, opens, closes, on_alone)
+        keep |= np.isin(truck, whole)
         done += 1
         if keep.all():
             break

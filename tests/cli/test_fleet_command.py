@@ -51,8 +51,10 @@ def test_a_table_becomes_a_folder(capsys):
         "x,Nowhere at all,Roma,2026-03-02 06:00,30,\ny,Torino,Milano,soon,30,\nz,Torino,Milano,,,\n"
     )
     Path("apart.csv").write_text("vehicle,apart_from\nt0,t2\ny,t2\n")
+    Path("together.csv").write_text("t1,t3,y\n")
     given = ("fleet", table(more=bad), "--network", "italy-motorways", "--rounds", "2", "--seed",
-             "1", "--max-platoon", "3", "--apart", "apart.csv", "-o", "out")  # fmt: skip
+             "1", "--max-platoon", "3", "--apart", "apart.csv", "--together", "together.csv",
+             "-o", "out")  # fmt: skip
     assert run(*given) == 0
     out, err = capsys.readouterr()
     assert "12 trips" in out
@@ -65,6 +67,7 @@ def test_a_table_becomes_a_folder(capsys):
     assert plan.fleet.saving > 0
     assert len(list(Path("out/sheets").glob("*.html"))) == 12
     companies = [{plan.trips[k].vehicle for k in one.vehicles} for one in plan.stretches]
+    assert any(company >= {"t1", "t3"} for company in companies)
     north = {f"t{k}" for k in range(6)}
     for company in companies:
         assert len(company) <= 3
@@ -84,6 +87,7 @@ def test_refused_before_anything_is_loaded(capsys):
     refused(capsys, ["fleet", table(), *known, "--time-limit", "0"], "time_s is 0.0")
     Path("apart.csv").write_text("t0,t99\n")
     refused(capsys, ["fleet", "trips.csv", *known, "--apart", "apart.csv"], "'t99'")
+    refused(capsys, ["fleet", "trips.csv", *known, "--together", "apart.csv"], "'t99'")
     Path("bad.csv").write_text(HEADER + "a,Roma,Bari,soon,30,\n")
     refused(capsys, ["fleet", "bad.csv", *known], "no trip can be read; first: bad.csv line 2")
     refused(capsys, ["fleet", "trips.csv", "--network", "trips.csv", "-o", "out"], "trips.csv")

@@ -152,7 +152,7 @@ def test_a_choice_of_many_is_as_good_as_that_of_few():
                 trucks = tuple(sorted(rng.choice(count, size, replace=False).tolist()))
                 saving = int(rng.integers(1, 100))
                 groups.append(type(some)(trucks, saving, (), (), (), (), 0))
-            found = packed(groups, solver, None)
+            found = packed(groups, (), solver, None)
             used = Counter(k for group in found for k in group.trucks)
             assert max(used.values()) == 1
             best = 0

@@ -71,10 +71,10 @@ def verb(trips: Path, output: Output, sheets: bool | None, **given: Any) -> None
     from ...sources.load import load_network
 
     table = read_fleet_table(trips, given.pop("sheet"))
-    apart = given["apart"]
+    listed = (given["apart"], given["together"])
     limits = limits_of(table, given)
     asked = asked_fleet(trips, table, given)
-    check_outputs([output], [*existing_files(trips, apart, asked.network["source"])])
+    check_outputs([output], [*existing_files(trips, *listed, asked.network["source"])])
     assert output.path is not None
     with steps(1) as begin:
         begin(f"loading {asked.network['source']}")

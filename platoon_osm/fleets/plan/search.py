@@ -9,9 +9,10 @@ Where too many lie across, one round is for all.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,7 @@ __all__ = ["FleetSearch"]
 
 Ints = NDArray[np.int64]
 Marks = NDArray[np.bool_]
+FixedWays = Mapping[int, tuple[Ints, Ints]]
 
 LARGE = 2000
 """From so many trucks on, a plan is begun with prepared lanes."""
@@ -85,6 +87,9 @@ class FleetSearch:
         Of all random numbers.
     apart : tuple of ndarray of int64, optional
         Trucks that each truck must not drive together with: `first_apart` (N + 1,) and `apart`.
+    fixed : mapping of int to (ndarray of int64, ndarray of int64)
+        Trucks that drive lanes at instants that are told, and never otherwise; none that keeps
+        apart from others.
 
     Attributes
     ----------
@@ -100,6 +105,7 @@ class FleetSearch:
         threads: int = 1,
         seed: int = 0,
         apart: tuple[Ints, Ints] | None = None,
+        fixed: FixedWays = MappingProxyType({}),
     ) -> None:
         self.instance = instance
         self._threads = max(1, threads)
@@ -114,12 +120,15 @@ class FleetSearch:
         self._legs = np.zeros((count, self._width), np.int32)
         self._departs = np.zeros((count, self._width), np.int64)
         self._count = np.zeros(count, np.int64)
+        self._is_free = np.ones(count, np.bool_)
+        self._is_free[list(fixed)] = False
         room = np.bincount(instance.pair_lane, minlength=instance.lanes) + 2
         self._points = (np.zeros(0, np.int64), np.zeros(0, np.int64))
         if count >= LARGE:
             self._points = meeting_points(instance)
             room = room + np.bincount(self._points[0], minlength=instance.lanes)
-        self._row_first = np.concatenate([[0], np.cumsum(room)]).astype(np.int64)
+        self._room = room
+        self._fix(fixed)
         savings = np.zeros(instance.lanes)
         paid = instance.alone > 0
         savings[paid] = 1 - instance.member[paid] / instance.alone[paid]
@@ -138,7 +147,7 @@ class FleetSearch:
     @property
     def best(self) -> Schedules:
         """The cheapest plan so far."""
-        return self._as_schedules(self._kept)
+        return self._whole(self._kept)
 
     def construct(self, shares: SharesOf | None, guide: GuideOf | None) -> None:
         """Build a plan from nothing, and keep it if it is the cheapest so far.
@@ -194,7 +203,7 @@ class FleetSearch:
         wanted = truck * self.instance.lanes + np.concatenate(lanes)
         legs[used] = order[np.searchsorted(sorted_key, wanted)]
         kept = (legs, instants, count)
-        cost = self._as_schedules(kept).cost(self.instance)
+        cost = self._whole(kept).cost(self.instance)
         if cost >= self.cost:
             return
         self._kept, self.cost, self._current = kept, cost, cost
@@ -227,7 +236,7 @@ class FleetSearch:
         stop : callable
             Asked between chunks of moves; True ends the round.
         """
-        if self.instance.trucks == 0 or self.instance.pairs == 0:
+        if not self._is_free.any() or self.instance.pairs == 0:
             return
         self._calls += 1
         self._see(shares, guide)
@@ -246,16 +255,47 @@ class FleetSearch:
         self._current += sum(changes)
         self._note()
 
+    def refix(self, fixed: FixedWays, always: bool = False) -> None:
+        """Let the fixed trucks drive otherwise beside the best plan so far, if that costs less.
+
+        Parameters
+        ----------
+        fixed : mapping of int to (ndarray of int64, ndarray of int64)
+            The same trucks, with other lanes and instants.
+        always : bool
+            Whether it is done at any cost.
+        """
+        before = self._fixed
+        self._fix(fixed)
+        cost = self.best.cost(self.instance)
+        if cost >= self.cost and not always:
+            self._fix(before)
+            return
+        # The plan at hand goes on beside the new ways.
+        self.cost, self._current = cost, self._now().cost(self.instance)
+        self._note()
+
     # What rounds are made of.
+
+    def _fix(self, fixed: FixedWays) -> None:
+        """Note what the fixed trucks drive, with room for them on their lanes."""
+        self._fixed = fixed
+        none = np.zeros(0, np.int64)
+        self._taken = (
+            np.concatenate([none, *(lanes for lanes, _ in fixed.values())]),
+            np.concatenate([none, *(departs for _, departs in fixed.values())]),
+        )
+        room = self._room + np.bincount(self._taken[0], minlength=self.instance.lanes)
+        self._row_first = np.concatenate([[0], np.cumsum(room)]).astype(np.int64)
 
     def _slabs(self) -> list[Ints]:
         """Return trucks that may be moved, in sets that never meet."""
         instance = self.instance
-        every = np.arange(instance.trucks, dtype=np.int64)
+        every = np.flatnonzero(self._is_free)
         rng = np.random.default_rng([abs(self._seed), 1, self._calls])
-        middle = (instance.earliest + instance.latest) // 2
+        middle = ((instance.earliest + instance.latest) // 2)[every]
         cut = int(np.quantile(middle, 0.5 + 0.2 * (2 * rng.random() - 1)))
-        early, late = every[instance.latest < cut], every[instance.earliest > cut]
+        early, late = every[instance.latest[every] < cut], every[instance.earliest[every] > cut]
         if min(len(early), len(late)) < 50 or len(early) + len(late) < 0.6 * len(every):
             return [every]
         return [early, late]
@@ -305,6 +345,7 @@ class FleetSearch:
         stuck = -1
         for taste in tastes:
             order = rng.permutation(count).astype(np.int64)
+            order = order[self._is_free[order]]
             if len(self._apart[1]):
                 # Who must keep apart comes first, the one with the least time before others.
                 bound = np.diff(self._apart[0]) > 0
@@ -331,8 +372,9 @@ class FleetSearch:
         entered = np.full(len(view.which), -1, np.int64)
         entered[legs] = departs
         lane = view.used.lane[legs]
-        if extra is not None:
-            lane, departs = np.append(lane, extra[0]), np.append(departs, extra[1])
+        no_more = np.zeros(0, np.int64)
+        for lanes_more, instants in (self._taken, extra or (no_more, no_more)):
+            lane, departs = np.append(lane, lanes_more), np.append(departs, instants)
         first = self._row_first
         at, count = np.zeros(first[-1], np.int64), np.zeros(first[-1], np.int64)
         size = np.zeros(self.instance.lanes, np.int64)
@@ -351,19 +393,26 @@ class FleetSearch:
     def _plan(self) -> Plan:
         return Plan(self._legs, self._departs, self._count, *self._apart)
 
-    def _copied(self) -> tuple[Ints, Ints, Ints]:
+    def _copied(self) -> tuple[Ints | NDArray[np.int32], Ints, Ints]:
         """Return the plan at hand, in pairs of the instance."""
         pairs = self._view.which[self._legs] if len(self._view.which) else self._legs
         return pairs.astype(np.int32), self._departs.copy(), self._count.copy()
 
     def _now(self) -> Schedules:
-        return self._as_schedules(self._copied())
+        return self._whole(self._copied())
 
-    def _as_schedules(self, plan: tuple[Ints, Ints, Ints]) -> Schedules:
-        """Return a plan in pairs of the instance as schedules."""
+    def _whole(self, plan: tuple[Ints | NDArray[np.int32], Ints, Ints]) -> Schedules:
+        """Return a plan in pairs of the instance as schedules of all trucks."""
         pairs, departs, count = plan
-        lanes = self.instance.pair_lane[pairs] if self.instance.pairs else pairs
-        return Schedules(lanes.astype(np.int32), departs, count)
+        lanes = (self.instance.pair_lane[pairs] if self.instance.pairs else pairs).astype(np.int32)
+        if self._fixed:
+            wider = max(0, max(len(own) for own, _ in self._fixed.values()) - lanes.shape[1])
+            lanes = np.pad(lanes, ((0, 0), (0, wider)))
+            departs = np.pad(departs, ((0, 0), (0, wider)))
+            count = count.copy()
+            for k, (own, at) in self._fixed.items():
+                lanes[k, : len(own)], departs[k, : len(own)], count[k] = own, at, len(own)
+        return Schedules(lanes, departs, count)
 
     def _note(self) -> None:
         """Keep the plan at hand if it is the cheapest."""
