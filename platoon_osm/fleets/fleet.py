@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 
+from ..costs.time_prices import TimePrices
 from ..errors import ScenarioError, brief
 from ..interrupts import asked_to_end
 from ..planning.problem import Problem
@@ -73,7 +74,8 @@ def plan_fleet(
         raise ScenarioError("fleet: limits name neither time_s nor rounds; give one of them")
     if own.time_s is not None and len(problem.trips) >= MANY:
         # Compiling takes seconds once, which are not those that were given to the search.
-        warm_up(law=problem.limits_driving)
+        waits = TimePrices.of(problem.objective).waiting > 0
+        warm_up(law=problem.limits_driving, waits=waits)
     with asked_to_end() as ends:
         course = Course(own, ends)
         model = modelled(problem, own, unserved)

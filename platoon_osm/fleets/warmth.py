@@ -18,17 +18,21 @@ from .windows import Wanted, paired
 __all__ = ["warm_up"]
 
 
-def warm_up(law: bool = False) -> None:
+def warm_up(law: bool = False, waits: bool = False) -> None:
     """Compile what is not compiled yet, by planning two trucks with a choice of roads.
 
     Parameters
     ----------
     law : bool
         Whether the searches within the law of driving hours are wanted, too.
+    waits : bool
+        Whether the bound's search for a price of waiting is wanted, too.
     """
     if law:
         law_warmth.warm_up()
     bound.warm_up()
+    if waits:
+        bound.warm_up(waiting=1)
     plan.warm_up()
     length, none = np.array([10, 10, 25]), np.zeros(2, np.int64)
     lanes = Lanes(

@@ -37,7 +37,7 @@ def verb(networks: tuple[str, ...]) -> None:
         warm_up()
         kernels.warm_up()
         warmth.warm_up()
-        fleets.warm_up()
+        fleets.warm_up(waits=True)
         seconds = perf_counter() - begun
         for name, net in nets:
             begin(f"preparing {name}")
