@@ -46,6 +46,11 @@ ENOUGH = 0.03
 BEYOND = 0.007
 """The part of the savings by which steps aim beyond the best at least: a target too near jams."""
 
+BEYOND_FOR_LEADERS = 0.2
+"""By how much more where leaders save as much as others; less in proportion where they save less.
+
+Plans lie further below the linear program there, so that the best plan is too near as a target."""
+
 ROUNDING = 1e-9
 """The part by which the bound is lowered for rounding in sums; `certified` is exact."""
 
@@ -104,6 +109,8 @@ class Bound:
         self._clock = Clock.of(instance)
         self._every = ways_of(instance, np.arange(instance.pairs))
         self._cuts = np.empty(0, np.int64)
+        led, saved = instance.leader_saves.sum(), (instance.alone - instance.member).sum()
+        self._beyond = BEYOND + BEYOND_FOR_LEADERS * float(led) / max(float(saved), 1.0)
         self._round, self._stale = 0, 0
         self.settled = False
         self.cost = -np.inf
@@ -134,7 +141,7 @@ class Bound:
                 if self.settled or stop():
                     break
                 best = self._volume.best
-                self._volume.step(crew, max(target, best + BEYOND * (alone - best)))
+                self._volume.step(crew, max(target, best + self._beyond * (alone - best)))
                 self._steps += 1
                 fresh = True
                 if self._steps % LOOK == 0 and self._round >= LISTING_ROUNDS:
@@ -191,7 +198,7 @@ class Bound:
         if self._steps >= MOST_STEPS:
             return True
         alone = float(self._instance.alone_cost.sum())
-        missing = max(missing, BEYOND * (alone - self._volume.best))
+        missing = max(missing, self._beyond * (alone - self._volume.best))
         return self._steps >= LEAST_STEPS and gained < ENOUGH * missing
 
     @property
