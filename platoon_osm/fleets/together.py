@@ -168,15 +168,20 @@ class Together:
         from_nothing : bool
             Whether the groups drive nowhere yet.
         """
+        lanes, departs = search.best.ways()
+        others: dict[int, Counter[int]] = defaultdict(Counter)
+        for own, at in zip(lanes, departs, strict=True):
+            _counted(others, own, at, 1)
+        fixed = {k: (lanes[k], departs[k]) for k in self.trucks}
         for group in self.groups:
-            lanes, departs = search.best.ways()
-            before = {k: (lanes[k], departs[k]) for k in self.trucks}
-            others: dict[int, Counter[int]] = defaultdict(Counter)
-            for k in set(range(self.instance.trucks)) - {*group}:
-                for lane, at in zip(lanes[k].tolist(), departs[k].tolist(), strict=True):
-                    others[lane][at] += 1
-            own = zip(group, *self.ways(group, others), strict=True)
-            search.refix(before | {k: (way, at) for k, way, at in own}, always=from_nothing)
+            for k in group:
+                _counted(others, *fixed[k], -1)
+            ways = zip(group, *self.ways(group, others), strict=True)
+            changed = fixed | {k: (way, at) for k, way, at in ways}
+            if search.refix(changed, always=from_nothing):
+                fixed = changed
+            for k in group:
+                _counted(others, *fixed[k], 1)
 
     def drive(self, platoon: Group, group: Sequence[int]) -> bool:
         """Tell whether trucks drive together in some platoon as they must.
@@ -302,3 +307,11 @@ class Together:
             lanes, wanted, given=instance.given, largest=instance.largest,
             waiting=instance.waiting, whole=whole,
         )[0]  # fmt: skip
+
+
+def _counted(others: dict[int, Counter[int]], lanes: Ints, departs: Ints, by: int) -> None:
+    """Count a truck's entries, or no longer."""
+    for lane, at in zip(lanes.tolist(), departs.tolist(), strict=True):
+        others[lane][at] += by
+        if not others[lane][at]:
+            del others[lane][at]

@@ -255,7 +255,7 @@ class FleetSearch:
         self._current += sum(changes)
         self._note()
 
-    def refix(self, fixed: FixedWays, always: bool = False) -> None:
+    def refix(self, fixed: FixedWays, always: bool = False) -> bool:
         """Let the fixed trucks drive otherwise beside the best plan so far, if that costs less.
 
         Parameters
@@ -264,16 +264,22 @@ class FleetSearch:
             The same trucks, with other lanes and instants.
         always : bool
             Whether it is done at any cost.
+
+        Returns
+        -------
+        bool
+            Whether they do.
         """
         before = self._fixed
         self._fix(fixed)
         cost = self.best.cost(self.instance)
         if cost >= self.cost and not always:
             self._fix(before)
-            return
+            return False
         # The plan at hand goes on beside the new ways.
         self.cost, self._current = cost, self._now().cost(self.instance)
         self._note()
+        return True
 
     # What rounds are made of.
 
