@@ -1,9 +1,9 @@
 """The instants that matter: where waiting is free, some best plan enters lanes at no others.
 
 Any plan can be shifted left without parting anybody: each company starts as soon as the last of its
-members is there. So entries lie in the least sets that hold, for every lane, the earliest
-departures of trucks that start at its tail, and the arrivals of trucks that go on over it, at the
-instants at which they may have entered the lane before.
+members is there, and nobody leaves or arrives later for it. So entries lie in the least sets that
+hold, for every lane, the earliest departures of trucks that start at its tail, and the arrivals of
+trucks that go on over it, at the instants at which they may have entered the lane before.
 """
 
 from __future__ import annotations

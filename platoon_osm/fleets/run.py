@@ -288,7 +288,7 @@ class FleetRun:
         """Solve the exact model, where it is small and plan and bound are not at one yet."""
         instance, late = self.model.instance, self.course.share >= until
         restricted = bool(self.apart) or bool(self.together)
-        if late or self._proved or instance.waiting or restricted or not self._leaves_freely:
+        if late or self._proved or instance.waiting or restricted:
             return
         left_s = None
         if self.limits.time_s is not None:
@@ -300,13 +300,6 @@ class FleetRun:
             self.exact = _Exact(found.ways, cost, min(cost, self.alone - found.bound))
             self.course.rounds += 1
             self._tell()
-
-    @property
-    def _leaves_freely(self) -> bool:
-        """Whether no truck has a latest departure that matters."""
-        instance = self.model.instance
-        drive = np.array([int(instance.drive[route].sum()) for route in self.model.routes])
-        return bool((instance.latest_departure + drive >= instance.latest).all())
 
     def _tell(self) -> None:
         """Note how far it is, tell whoever wants to know, and write what is best."""

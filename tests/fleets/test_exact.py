@@ -41,6 +41,7 @@ def drawn(seed, **asked):
 def check_ways(instance, ways):
     for k, own in enumerate(plan(ways)):
         node, at = instance.origin[k], instance.earliest[k]
+        assert own[0][1] <= instance.latest_departure[k]
         for lane, enters in own:
             assert instance.tail[lane] == node
             assert enters >= at
@@ -81,7 +82,9 @@ def meeting(routes, leaves):
 
 @pytest.mark.parametrize("seed", range(45))
 def test_the_exact_model_finds_the_optimum(seed, solver):
-    instance = drawn(seed, trucks=4, largest=(0, 2, 3)[seed % 3])
+    instance = random_instance(
+        seed, trucks=4, largest=(0, 2, 3)[seed % 3], departures=bool(seed // 3 % 2)
+    )
     found = exact_fleet(instance, 20.0, solver)
     assert found.proved
     best = int(instance.alone_cost.sum()) - optimum(instance).cost

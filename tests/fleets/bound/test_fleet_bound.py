@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from exhaustive import optimum, random_instance
+from exhaustive import instance_of, optimum, random_instance
 from soak import chosen, soaked
 from tiny_fleets import all_schedules, cost_under, linear_bound, valid_by_trying
 
@@ -92,6 +92,26 @@ def test_it_stops_when_it_is_told_to():
     before = bound.cost
     bound.improve(float(fleet.alone_cost.sum()), 100, lambda: True)
     assert bound.cost == before
+
+
+@pytest.mark.parametrize("latest", range(2, 8))
+def test_a_cheap_way_that_is_late_by_a_tick_is_none(latest):
+    # Two roads after each other, each quick and dear or slow and cheap: 1 + 1, 1 + 3 or 3 + 3.
+    lanes = {
+        "tail": [0, 0, 1, 1], "head": [1, 1, 2, 2], "drive": [1, 3, 1, 3],
+        "alone": [20, 10, 20, 10], "member": [18, 9, 18, 9], "extra": [2, 1, 2, 1],
+        "lane_kind": [0] * 4,
+    }  # fmt: skip
+    trucks = {
+        "origin": [0], "destination": [2], "earliest": [0], "latest_departure": [latest],
+        "latest": [latest], "kind": [0],
+    }  # fmt: skip
+    fleet = instance_of(lanes, trucks, nodes=3, largest=0, given=False)
+    bound = Bound(fleet)
+    bound.improve(40.0, 20, never)
+    least = {2: 40, 3: 40, 4: 30, 5: 30, 6: 20, 7: 20}[latest]
+    assert bound.cost == pytest.approx(least)
+    assert bound.certified()[1] == least
 
 
 def test_a_fleet_of_trucks_that_never_meet_costs_what_they_cost_alone():
