@@ -17,9 +17,11 @@ from certificates import (
 )
 from exhaustive import optimum, random_instance
 
+from platoon_osm.inspection.certificate import cheapest, dropping, heap, sharing, windows
 from platoon_osm.inspection.certificate.belief import certified, certified_with_plan
 from platoon_osm.inspection.certificate.dropping import needed_pairs
 from platoon_osm.inspection.certificate.told import told_of
+from platoon_osm.inspection.certificate.warmth import warm_up
 from platoon_osm.inspection.certificate.ways import alone_costs
 from platoon_osm.inspection.certificate.windows import all_pairs
 
@@ -74,3 +76,19 @@ def test_its_pairs_are_those_of_the_planner(seed):
         ("on_alone", pairs.on_alone),
     ):  # fmt: skip
         assert column.tolist() == getattr(instance, name).tolist(), name
+
+
+def test_after_warming_up_nothing_is_compiled_any_more():
+    warm_up()
+    kernels = [
+        item
+        for module in (cheapest, dropping, heap, sharing, windows)
+        for item in vars(module).values()
+        if hasattr(item, "signatures") and item.__module__ == module.__name__
+    ]
+    before = [len(kernel.signatures) for kernel in kernels]
+    assert len(kernels) == 9
+    assert set(before) == {1}
+    for given in (True, False):
+        certified_with_plan(told_of(written(3, waiting=1, largest=2, given=given)[2]))
+    assert [len(kernel.signatures) for kernel in kernels] == before

@@ -22,6 +22,7 @@ def verb(networks: tuple[str, ...]) -> None:
     from time import perf_counter
 
     from ...fleets import warmth as fleets
+    from ...inspection.certificate import warmth as certificate
     from ...network.saved.store import open_network
     from ...planning.legal import warmth
     from ...planning.timing import kernels
@@ -38,6 +39,7 @@ def verb(networks: tuple[str, ...]) -> None:
         kernels.warm_up()
         warmth.warm_up()
         fleets.warm_up(waits=True)
+        certificate.warm_up()
         seconds = perf_counter() - begun
         for name, net in nets:
             begin(f"preparing {name}")
