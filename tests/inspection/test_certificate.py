@@ -87,8 +87,9 @@ def test_after_warming_up_nothing_is_compiled_any_more():
         if hasattr(item, "signatures") and item.__module__ == module.__name__
     ]
     before = [len(kernel.signatures) for kernel in kernels]
-    assert len(kernels) == 9
-    assert set(before) == {1}
+    called = {kernel.__name__ for kernel, count in zip(kernels, before, strict=True) if count == 1}
+    # Others are part of these, and need not be loaded themselves.
+    assert called >= {"_cheapest", "_windows", "_mark_overlaps", "_mark_cheaper", "_first_invalid"}
     for given in (True, False):
         certified_with_plan(told_of(written(3, waiting=1, largest=2, given=given)[2]))
     assert [len(kernel.signatures) for kernel in kernels] == before

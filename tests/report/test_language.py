@@ -17,8 +17,9 @@ from hypothesis import strategies as st
 from places import ROOT
 from plan_kinds import italy
 
-from platoon_osm import PaperCosts, Trip, plan_joint
+from platoon_osm import Limits, PaperCosts, Problem, Trip, plan_joint
 from platoon_osm.errors import ScenarioError
+from platoon_osm.fleets.model import modelled
 from platoon_osm.plans.clock import Clock
 from platoon_osm.plans.plan import Plan
 from platoon_osm.plans.text_table import listed
@@ -251,3 +252,33 @@ def test_who_is_late_is_listed_in_other_words(late: list[str], german: str, ital
             assert told in in_language(sentence)
             assert "give earlier" not in in_language(sentence)
             assert " more" not in in_language(sentence)
+
+
+def test_why_trips_of_a_fleet_are_not_planned_is_told_in_other_words() -> None:
+    six, soon = datetime(2026, 11, 27, 6), datetime(2026, 11, 27, 7)
+    ends = {
+        "good": ("Milano", "Roma"), "late": ("Milano", "Roma"), "timeless": ("Milano", "Roma"),
+        "here": ("Roma", "Roma"), "lost": ("Qqqqqq", "Roma"), "near": ("Milano", "Napolli"),
+        "far": ((0.0, 0.0), "Roma"), "swapped": ((45.46, 9.19), "Roma"),
+    }  # fmt: skip
+    trips = [
+        Trip(
+            name, *places,
+            earliest_departure=None if name == "timeless" else six,
+            latest_arrival=soon if name == "late" else None,
+        )
+        for name, places in ends.items()
+    ]  # fmt: skip
+    told = modelled(Problem(italy(), trips, PaperCosts()), Limits(rounds=1)).unserved
+    assert {one.vehicle for one in told} == set(ends) - {"good"}
+    english = re.compile(r"give|origin|destination:|no junction|nearest|late even|names no")
+    for language in ("de", "it"):
+        with speaking(language):
+            for one in told:
+                # What to do about a place far away is told in the words of the command.
+                said = in_language(one.reason).rpartition(";")[0] or in_language(one.reason)
+                assert not english.search(said), one
+    with speaking("de"):
+        assert "weniger als eine Minute" in in_language(
+            "late even alone by less than a minute; give an earlier departure or a later arrival"
+        )

@@ -18,6 +18,9 @@ __all__ = ["in_language"]
 
 PLAN = "plan."
 
+UNDER_A_MINUTE = "less than a minute"
+"""What `plans.clock.late_by` says of a small lateness."""
+
 # A name may hold commas and "and"; a time ends what is told of it.
 _LATE_BY = re.compile(
     r"(.+?) by (?:(\d+ h \d\d min|\d+ min)|less than a minute)(?:, | and |$)", re.DOTALL
@@ -49,7 +52,13 @@ def in_language(sentence: str) -> str:
 
 
 def _field(name: str, text: str) -> str:
-    return _late(text) if name == "late" else _figures(text)
+    if name == "late":
+        return _late(text)
+    if name == "why":
+        return in_language(text)
+    if name == "time" and text == UNDER_A_MINUTE:
+        return say("clock.under-a-minute")
+    return _figures(text)
 
 
 def _late(text: str) -> str:
