@@ -32,7 +32,9 @@ class Convoy:
         Most vehicles on one of them.
     forms, parts : str
         What the places are called where it forms and where the last of it part; empty if the plan
-        does not tell.
+        does not tell, as where a company stands and drives on as it came.
+    last : int
+        The stretch at whose end the last of it part, a position in the plan.
     begins_s, ends_s : float or None
         When, in seconds from the start of the timetable; None without times.
     road_m : float
@@ -48,6 +50,7 @@ class Convoy:
     largest: int
     forms: str
     parts: str
+    last: int
     begins_s: float | None
     ends_s: float | None
     road_m: float
@@ -134,6 +137,7 @@ def _convoy(
         largest=max(len(one.vehicles) for one in stretches),
         forms=places.begin(order[0]),
         parts=places.end(last),
+        last=last,
         begins_s=spans[order[0]][0] if spans else None,
         ends_s=spans[last][1] if spans else None,
         road_m=sum(one.length_m for one in stretches),
@@ -143,7 +147,11 @@ def _convoy(
 
 
 class _Places:
-    """What the places are called where stretches begin and end, as far as the plan tells."""
+    """What the places are called where stretches begin and end, as far as the plan tells.
+
+    It tells of origins, destinations and events. A company that stands, and drives on as it came,
+    has no event there; its place has a name if somebody else meets or parts there.
+    """
 
     def __init__(self, plan: Plan) -> None:
         self.starts: dict[int, str] = {}
@@ -154,6 +162,14 @@ class _Places:
         for event in plan.events:
             known = self.starts if event.kind == "merge" else self.ends
             known.setdefault(event.stretch, event.point.name)
+        # Where one stretch ends another begins; a name goes from either to all that meet there.
+        for _ in range(2):
+            for way in plan.ways:
+                for before, after in itertools.pairwise(way):
+                    name = self.ends.get(before) or self.starts.get(after)
+                    if name:
+                        self.ends.setdefault(before, name)
+                        self.starts.setdefault(after, name)
 
     def begin(self, stretch: int) -> str:
         return self.starts.get(stretch, "")

@@ -56,6 +56,24 @@ def test_platoons_are_chains_of_companies(seed):
     assert sum(m for size, m in sums.items() if size > 1) == pytest.approx(plan.platoon_m)
 
 
+def test_a_place_has_its_name_from_whoever_begins_or_ends_there():
+    untold = 0
+    for seed in range(60):
+        plan, net, companies = line_fleet(seed, 9, 6)
+        for one in convoys_of(plan):
+            first = one.stretches[0]
+            way = [way for way in plan.ways if first in way]
+            # These come from a stretch at whose end another truck has arrived.
+            before = {own[own.index(first) - 1] for own in way if own[0] != first}
+            ends = {own[-1] for own in plan.ways}
+            begun = any(own[0] == first for own in way)
+            if begun or before & ends:
+                assert one.forms == net.place_name(companies[first][0])
+                untold += not begun
+            assert one.parts in ("", net.place_name(companies[one.last][0] + 1))
+    assert untold > 5
+
+
 def test_the_frame_of_platoons():
     plan, *_ = line_fleet(3, 9, 5)
     frame = plan.to_frame("platoons")

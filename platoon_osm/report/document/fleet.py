@@ -247,7 +247,7 @@ def _platoons(plan: Plan, laid: Plan, net: RoadNetwork) -> tuple[Listed, ...]:
     convoys = sorted(convoys_of(plan), key=lambda one: (-(one.saving or 0.0), one.vehicles))
     found = []
     for rank, one in enumerate(convoys):
-        first, last = (laid.stretches[one.stretches[k]] for k in (0, -1))
+        first, last = (laid.stretches[k] for k in (one.stretches[0], one.last))
         forms, parts = one.forms, one.parts
         # Who goes on together after a stop has no merge of its own.
         if not forms and first.edges:
