@@ -20,7 +20,7 @@ TABLES = ("assignment.csv", "platoons.csv", "vehicles.csv", "unserved.csv")
 PAGE = "fleet.html"
 SHEETS = "sheets"
 SHEETS_UP_TO = 100
-"""So many drivers get sheets without asking; each takes about a tenth of a second."""
+"""So many drivers get sheets without asking; each takes some hundredths of a second."""
 
 
 def write_fleet_folder(

@@ -7,13 +7,16 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..document.model import Document
 from ..document.surroundings import Surroundings
 from ..drawing.basemap import BASEMAP_STEPS
 from ..drawing.lines import Line, Point
 
-__all__ = ["MapView", "Places"]
+__all__ = ["MapView", "Places", "mercator"]
+
+Floats = NDArray[np.float64]
 
 WIDTH = 960.0
 LEAST_HEIGHT, MOST_HEIGHT = 690.0, 980.0
@@ -156,6 +159,22 @@ class MapView:
         """
         x, y = mercator(lon, lat)
         return x * self.per_degree + self._x, y * self.per_degree + self._y
+
+    def on_map(self, plane: Floats) -> Floats:
+        """Return the pixels of points whose Web Mercator coordinates are known.
+
+        Parameters
+        ----------
+        plane : ndarray of float, (P, 2)
+            As `mercator` returns them.
+
+        Returns
+        -------
+        ndarray of float, (P, 2)
+            As `at` returns them.
+        """
+        pixels: Floats = plane * self.per_degree + np.array([self._x, self._y])
+        return pixels
 
     def pixels(self, line: Line) -> list[Point]:
         """Return a line in pixels.

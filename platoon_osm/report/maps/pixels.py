@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..drawing.lines import Point
-from .beside import laid_beside, simplified
+from .beside import TOLERANCE, laid_beside, simplified
 
 __all__ = [
     "DrawnLine",
     "lines_along",
+    "network_data",
     "network_path",
     "path_data",
     "path_of",
 ]
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 
 MOST_NETWORK_DATA = 80_000
 """Characters of path data that the still map spends on the background."""
@@ -134,34 +139,79 @@ def network_path(
     str
         SVG path data.
     """
+    some = [line for line in lines if len(line) > 1]
+    points = np.array([at for line in some for at in line], np.float64).reshape(-1, 2)
+    return network_data(points, np.array([len(line) for line in some]), width, height, most, beyond)
+
+
+def network_data(
+    points: Floats, sizes: Ints, width: float, height: float, most: int, beyond: float = 0.0
+) -> str:
+    """Return the background of lines that stand one after another: see `network_path`.
+
+    Parameters
+    ----------
+    points : ndarray of float, (P, 2)
+        Pixels.
+    sizes : ndarray of int64, (L,)
+        Points of each line, two or more.
+    width, height : float
+        Of the drawing.
+    most : int
+        About how many characters it may take.
+    beyond : float
+        How far beyond the edges of the drawing it reaches, in pixels.
+
+    Returns
+    -------
+    str
+        SVG path data.
+    """
+    import shapely
+
+    # Rounding moves a line by half a pixel at most, and a simpler one lies in the same frame.
+    points, sizes = _drawn(points, sizes, (width, height), beyond + 1.0, 0.25)
+    if not len(sizes):
+        return ""
+    owner = np.repeat(np.arange(len(sizes)), sizes)
+    simple: Any = shapely.simplify(
+        shapely.linestrings(points, indices=owner), TOLERANCE, preserve_topology=False
+    )
+    sizes = shapely.get_num_coordinates(simple)
+    points = np.rint(shapely.get_coordinates(simple))
+    points, sizes = _drawn(points, sizes[sizes > 0], (width, height), beyond, 1.5)
     kept: dict[tuple[Point, ...], list[Point]] = {}
-    for line in lines:
-        points = [(float(round(x)), float(round(y))) for x, y in simplified(line)]
-        if (
-            not _near(points, width, height, beyond)
-            or max(np.ptp(np.asarray(points), axis=0)) < 1.5
-        ):
-            continue
+    ends = np.cumsum(sizes)
+    for end, size in zip(ends.tolist(), sizes.tolist(), strict=True):
+        line = [(x, y) for x, y in points[end - size : end].tolist()]
         # The other carriageway has nearly the same ends, a pixel or two apart.
-        ends = tuple(sorted((round(x / 3), round(y / 3)) for x, y in (points[0], points[-1])))
-        kept.setdefault(ends, points)
+        key = tuple(sorted((round(x / 3), round(y / 3)) for x, y in (line[0], line[-1])))
+        kept.setdefault(key, line)
     # A dense network would outweigh all the rest of the page: its shortest lines stay out.
     longest = sorted(kept.values(), key=lambda line: -float(np.ptp(line, axis=0).sum()))
     room = most
     parts: list[str] = []
-    for points in longest:
-        parts.append(path_data(points))
+    for line in longest:
+        parts.append(path_data(line))
         room -= len(parts[-1])
         if room < 0:
             break
     return "".join(parts)
 
 
-def _near(points: Sequence[Point], width: float, height: float, beyond: float = 0.0) -> bool:
+def _drawn(
+    points: Floats, sizes: Ints, size: tuple[float, float], beyond: float, least: float
+) -> tuple[Floats, Ints]:
+    """Return lines that come near the drawing and are at least so long in x or y."""
+    if not len(sizes):
+        return points, sizes
+    first = np.cumsum(sizes) - sizes
+    low, high = np.minimum.reduceat(points, first), np.maximum.reduceat(points, first)
+    kept = (high > -beyond).all(axis=1) & (low < np.array(size) + beyond).all(axis=1)
+    kept &= (high - low).max(axis=1) >= least
+    return points[np.repeat(kept, sizes)], sizes[kept]
+
+
+def _near(points: Sequence[Point], width: float, height: float) -> bool:
     xs, ys = zip(*points, strict=True)
-    return bool(
-        max(xs) > -beyond
-        and min(xs) < width + beyond
-        and max(ys) > -beyond
-        and min(ys) < height + beyond
-    )
+    return bool(max(xs) > 0 and min(xs) < width and max(ys) > 0 and min(ys) < height)

@@ -12,6 +12,7 @@ from ...shown_text import fitted, shortened
 from ..document.findings import Findings
 from ..document.model import Document
 from ..language.speech import late_by, say
+from ..maps.background import Background
 from ..markup.fragments import Piece, Tree
 from ..markup.quantities import carbon, cost_unit, kilometres, litres, true_minus
 from .steps import Step
@@ -49,6 +50,8 @@ class Journey:
         Of it.
     words : tuple of StepWords
         The same in words.
+    background : Background
+        The network behind the maps of all sheets.
     """
 
     found: Findings
@@ -56,6 +59,7 @@ class Journey:
     index: int
     steps: tuple[Step, ...]
     words: tuple[StepWords, ...]
+    background: Background
 
     @property
     def times(self) -> VehicleTimes | None:

@@ -10,9 +10,9 @@ from ..document.findings import Findings
 from ..document.model import Document
 from ..document.model_map import EventMark
 from ..language.speech import say
+from ..maps.background import Background
 from ..maps.ground_paths import ground_piece
 from ..maps.map_view import MapView
-from ..maps.pixels import network_path
 from ..maps.static_map import map_foreground
 from ..markup.fragments import Piece
 from .steps import Step
@@ -102,7 +102,7 @@ def _kind(step: Step) -> str:
     return "merge" if step.joined else "separation"
 
 
-def route_map(own: Document, key: str, size: tuple[float, float]) -> Piece:
+def route_map(own: Document, key: str, size: tuple[float, float], background: Background) -> Piece:
     """Return the map of one vehicle's route.
 
     Parameters
@@ -113,6 +113,8 @@ def route_map(own: Document, key: str, size: tuple[float, float]) -> Piece:
         Parts its names from those of other maps on a page.
     size : tuple of float
         Its width, and about how high it is drawn, in its own pixels.
+    background : Background
+        Of the known roads of the plan's document.
 
     Returns
     -------
@@ -121,7 +123,6 @@ def route_map(own: Document, key: str, size: tuple[float, float]) -> Piece:
     """
     height = float(round(size[1]))
     view = MapView([own], size[0], (height, height), margin=34.0)
-    known = [view.pixels(line) for line in own.basemap.known]
     vehicle = own.vehicles[0]
     return Piece(
         "sheet-map",
@@ -133,7 +134,7 @@ def route_map(own: Document, key: str, size: tuple[float, float]) -> Piece:
                 "sheet.map", origin=vehicle.origin.name, destination=vehicle.destination.name
             ),
             "ground": ground_piece(own, view, BEYOND_PX),
-            "network": network_path(known, view.width, view.height, NETWORK_DATA),
+            "network": background.path(view, NETWORK_DATA),
             **map_foreground(own, view, 1.0, whole=False),
         },
     )

@@ -87,7 +87,7 @@ def sheet(journey: Journey) -> Piece:
 def _map(journey: Journey, key: str, layout: Layout) -> Piece:
     own = own_document(journey.found, journey.document, journey.index, journey.steps)
     height = layout.map_mm * MAP_PX / MAP_WIDTH_MM
-    return Piece("sheet-figure", {"map": route_map(own, key, (MAP_PX, height))})
+    return Piece("sheet-figure", {"map": route_map(own, key, (MAP_PX, height), journey.background)})
 
 
 def _day(journey: Journey) -> Tree:

@@ -22,6 +22,7 @@ from ..document.model import Document
 from ..exports.file_names import file_stems
 from ..exports.geopackage import changed_at
 from ..language.speech import say, speaking
+from ..maps.background import Background
 from ..maps.pause_icons import pause_icons
 from ..markup.fragments import NOTHING, Piece, Tree
 from ..markup.still_page import still_page
@@ -105,11 +106,12 @@ def write_sheets(
 def _journeys(found: Findings, document: Document, patience_min: float | None) -> Iterator[Journey]:
     patience_s = None if patience_min is None else patience_min * 60.0
     halts = halts_of(found.plan, found.net)
+    background = Background(document.basemap.known)
     for index, own in enumerate(halts):
         steps = steps_of(found.plan, found.net, index, patience_s, own)
         teller = Teller(found, index)
         words = tuple(teller.words(step, number) for number, step in enumerate(steps))
-        yield Journey(found, document, index, steps, words)
+        yield Journey(found, document, index, steps, words, background)
 
 
 def _written_page(path: Path, heading: str, journeys: Sequence[Journey]) -> Path:
