@@ -130,7 +130,9 @@ def test_a_long_stretch_is_cut_where_the_corridor_begins_and_ends() -> None:
 @pytest.mark.parametrize(("given", "waiting"), [(True, 0), (False, 3)])
 def test_all_conditions_are_told_in_other_languages(given: bool, waiting: int) -> None:
     instance = SimpleNamespace(given=given, waiting=waiting, largest=4, kind=np.array([0, 1]))
-    model: Any = SimpleNamespace(instance=instance, lanes=SimpleNamespace(grains=1000.0))
+    model: Any = SimpleNamespace(
+        instance=instance, lanes=SimpleNamespace(grains=1000.0), legal=SimpleNamespace()
+    )
     limits: Any = SimpleNamespace(per_trip="one", apart=(("A", "B"),), min_gain=1.0)
     for condition in conditions_of(model, limits):
         for language in ("de", "it"):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 
 import numpy as np
 
@@ -18,11 +18,11 @@ class Background:
 
     Parameters
     ----------
-    lines : sequence of Line
+    lines : iterable of Line
         Of a document.
     """
 
-    def __init__(self, lines: Sequence[Line]) -> None:
+    def __init__(self, lines: Iterable[Line]) -> None:
         some = [line.degrees() for line in lines if len(line.points) > 1]
         plane = [mercator(lon, lat) for line in some for lon, lat in line]
         self._plane = np.array(plane, np.float64).reshape(-1, 2)
