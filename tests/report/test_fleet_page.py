@@ -133,7 +133,9 @@ def test_all_conditions_are_told_in_other_languages(given: bool, waiting: int) -
     model: Any = SimpleNamespace(
         instance=instance, lanes=SimpleNamespace(grains=1000.0), legal=SimpleNamespace()
     )
-    limits: Any = SimpleNamespace(per_trip="one", apart=(("A", "B"),), min_gain=1.0)
+    limits: Any = SimpleNamespace(
+        per_trip="one", apart=(("A", "B"),), together=(("A", "C"),), min_gain=1.0
+    )
     for condition in conditions_of(model, limits):
         for language in ("de", "it"):
             with speaking(language):
