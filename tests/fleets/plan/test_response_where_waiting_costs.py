@@ -10,7 +10,7 @@ from tiny_fleets import all_schedules
 
 from platoon_osm.fleets.plan.search import FleetSearch
 
-SEEDS = range(chosen(80, 4000))
+SEEDS = range(chosen(80, 1500))
 
 
 def as_tuples(plan):
