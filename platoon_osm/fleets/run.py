@@ -82,7 +82,8 @@ ONE_PLATOON = 0.5
 """With one platoon of more than two a trip, the plan is made in this share of the time."""
 
 WRITING, FIRST_WRITING = 0.05, 0.25
-"""At most this share of the time goes into writing what is best so far, and into the first time."""
+"""At most this share of the time goes into writing what is best so far, and from `CROWD` trucks on
+into the first time."""
 
 CLOSING, CLOSING_WRITTEN = 0.7, 1.1
 """What it takes to tell a plan, and to write it too, as a part of what modelling took: both go with
@@ -135,6 +136,8 @@ class FleetRun:
         self.history: list[Moment] = []
         self.written_s = 0.0
         self.written_cost = self.alone + 1
+        part = CLOSING if write_to is None else CLOSING_WRITTEN
+        course.closing_s = part * course.seconds
 
     def _searching(self) -> FleetSearch:
         """Return a search that keeps to who must and must not drive together."""
@@ -315,7 +318,8 @@ class FleetRun:
         if self.written_s:
             affords = self.written_s <= WRITING * now.seconds
         else:
-            affords = self.course.closing_s <= FIRST_WRITING * now.seconds
+            few = self.model.instance.trucks < CROWD
+            affords = few or self.course.closing_s <= FIRST_WRITING * now.seconds
         if self.write_to is not None and self.planned_cost < self.written_cost and affords:
             self._finished("interrupted")
             took = self.course.seconds - now.seconds

@@ -15,6 +15,9 @@ from random_networks import network
 import platoon_osm as po
 from platoon_osm.costs.money.objective import money_costs
 from platoon_osm.errors import ScenarioError
+from platoon_osm.fleets.model import modelled
+from platoon_osm.fleets.run import FleetRun
+from platoon_osm.fleets.stopping import Course
 from platoon_osm.inspection.certificate.belief import certify
 from platoon_osm.plans.convoys import convoys_of
 from platoon_osm.plans.plan import Plan
@@ -346,3 +349,12 @@ def test_killed_in_the_middle_the_best_plan_so_far_is_on_disk(tmp_path):
     assert plan.fleet.saving > 0
     assert json.loads(file.read_text())["format"] == "platoon-osm fleet"
     assert [path.name for path in tmp_path.iterdir()] == ["fleet.json"]
+
+
+def test_time_for_telling_and_writing_the_plan_is_kept(net, tmp_path):
+    limits = po.Limits(time_s=None, rounds=2)
+    model = modelled(asked(net, 12), limits)
+    for file in (None, tmp_path / "fleet.json"):
+        course = Course(limits, lambda: False)
+        FleetRun(model, limits, course, file, None)
+        assert 0 < course.closing_s <= 1.1 * course.seconds
