@@ -130,7 +130,7 @@ def _check_times(told: Told, plan: Plan, companies: Companies, k: int, shift_s: 
     entries = range(int(told.first[k]), int(told.first[k + 1]))
     if not entries or len(legs) != len(stretches):
         raise FaultError(f"the plan has no times of vehicle {told.vehicles[k]!r}")
-    paused = {pause.before for pause in plan.timetable.vehicles[k].pauses}
+    within_law = plan.timetable.rules not in ("", "none")
     # Each lane's drive was rounded up to a tick.
     slack_s = NEAR_S + told.tick_s * len(entries)
     ready = None
@@ -154,8 +154,8 @@ def _check_times(told: Told, plan: Plan, companies: Companies, k: int, shift_s: 
                 break
             stands_s = begun[here + 1] - legs[here][1]
             unfinished = legs[here][1] < until_s - slack_s
-            if unfinished and here + 1 in paused:
-                # A break or rest within a lane is a wait, as if it was taken where the lane ends.
+            if unfinished and within_law:
+                # Who stands at a parking within a lane waits, as if that was where the lane ends.
                 until_s += stands_s
             elif not unfinished and begun[here + 1] >= until_s - NEAR_S:
                 break
