@@ -23,7 +23,7 @@ from ..plans.convoys import convoys_of
 from ..plans.fleet import FleetRecord, Moment
 from ..plans.plan import Plan
 from ..plans.proof import Proof
-from .bound.bound import Bound
+from .bound.bound import ROUNDING, Bound
 from .certificate import certificate_of, write_fleet
 from .conditions import conditions_of
 from .exact import Ways
@@ -266,7 +266,11 @@ class FleetRun:
     @property
     def _proved(self) -> bool:
         """Whether nothing is left between plan and bound."""
-        return self.cost - self.least <= max(1.0, NOTHING_LEFT * (self.alone - self.least))
+        left = self.cost - self.least
+        if left <= max(1.0, NOTHING_LEFT * (self.alone - self.least)):
+            return True
+        # So little may be what the bound was lowered by for rounding; in whole numbers it is exact.
+        return left <= 2 * ROUNDING * self.alone and self.cost - self.bound.certified()[1] <= 1
 
     @property
     def cost(self) -> int:
@@ -374,10 +378,10 @@ class FleetRun:
             ticks = Schedules.of(lanes, departs).waited(model.instance)
             cost += waiting * ticks * TICK_S
         saving = alone - cost
-        bound = max(saving, alone - certified / unit)
+        bound = max(saving, (self.alone - certified) / unit)
         told = None
         if self.exact is not None and self.exact.least > certified:
-            told = max(saving, alone - self.exact.least / unit)
+            told = max(saving, (self.alone - self.exact.least) / unit)
         # What is saved is worked out anew edge by edge; costs in grains are rounded lane by lane.
         record = FleetRecord(
             saving=saving, bound=bound, alone_cost=alone, seconds=self.course.seconds,

@@ -358,3 +358,11 @@ def test_time_for_telling_and_writing_the_plan_is_kept(net, tmp_path):
         course = Course(limits, lambda: False)
         FleetRun(model, limits, course, file, None)
         assert 0 < course.closing_s <= 1.1 * course.seconds
+
+
+def test_nothing_that_can_be_saved_is_told_so():
+    net = grid(side=2)
+    day = [po.Trip(f"T{k}", k, 3 - k, DAY, flexibility_min=10) for k in range(2)]
+    plan = po.plan_fleet(po.Problem(net, day, base(net)), po.Limits(time_s=None, rounds=5))
+    fleet = plan.fleet
+    assert (fleet.saving, fleet.bound, fleet.gap, fleet.ended) == (0.0, 0.0, 0.0, "proved")

@@ -26,7 +26,7 @@ from .stabbing import first_shares
 from .ways import ways_of
 from .whole import whole_shares
 
-__all__ = ["Bound", "Guide"]
+__all__ = ["ROUNDING", "Bound", "Guide"]
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]

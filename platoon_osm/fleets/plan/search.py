@@ -57,6 +57,9 @@ HOT = 0.7
 CHUNK = 250
 """Moves between two questions whether to stop."""
 
+ORDERS = 100
+"""In how many orders trucks that must keep apart are put in before that is given up."""
+
 PLAIN_S = 2e-3
 """How long a response takes where nothing is compiled, about [s]."""
 
@@ -341,34 +344,52 @@ class FleetSearch:
         instant: Ints | None = None,
     ) -> int:  # fmt: skip
         """Let all trucks respond, once for each taste; return what the plan costs then."""
-        view, count = self._view, self.instance.trucks
         extra = None if lane is None or instant is None else (lane, instant)
+        rng = np.random.default_rng([abs(self._seed), 4, self._calls, len(tastes)])
+        begun = self._legs.copy(), self._departs.copy(), self._count.copy()
+        first: list[int] = []
+        stuck = -1
+        for _ in range(ORDERS):
+            stuck = self._swept(tastes, extra, rng, first)
+            if stuck < 0:
+                return self._now().cost(self.instance)
+            # Others went in before it and left it no way: it begins.
+            first = [stuck, *(one for one in first if one != stuck)]
+            legs, departs, taken = begun
+            self._legs, self._departs, self._count = legs.copy(), departs.copy(), taken.copy()
+        raise ScenarioError(
+            f"fleet: truck {stuck} must keep apart from others, and no way was found in which it "
+            "does; widen its window"
+        )
+
+    def _swept(
+        self, tastes: Sequence[Taste], extra: tuple[Ints, Ints] | None,
+        rng: np.random.Generator, first: Sequence[int],
+    ) -> int:  # fmt: skip
+        """Let all trucks respond, some before all others; return one that has no way, else -1."""
+        view, count = self._view, self.instance.trucks
         lanes, entered = self._occupied(extra)
         state = draws.started(self._seed, 3, self._calls)
-        rng = np.random.default_rng([abs(self._seed), 4, self._calls, len(tastes)])
         work, some = desk(view.used, self._width), crew(count, self._width)
         kernel = SWEEP.ready(count * len(tastes) * PLAIN_S)
-        stuck = -1
         for taste in tastes:
             order = rng.permutation(count).astype(np.int64)
             order = order[self._is_free[order]]
             if len(self._apart[1]):
                 # Who must keep apart comes first, the one with the least time before others.
                 bound = np.diff(self._apart[0]) > 0
-                spare = self.instance.latest - self.instance.earliest
+                spare = (self.instance.latest - self.instance.earliest).astype(np.float64)
+                if first:
+                    spare *= rng.uniform(0.5, 1.5, count)
+                    spare[list(first)] = np.arange(len(first)) - len(first)
                 order = order[np.lexsort((spare[order], ~bound[order]))]
             _, stuck = kernel(
                 order, -1e-6, taste, view.used, view.prices, self._costs, lanes,
                 self._plan(), entered, work, state, some,
             )  # fmt: skip
             if stuck >= 0:
-                break
-        if stuck >= 0:
-            raise ScenarioError(
-                f"fleet: truck {stuck} must keep apart from others, and its window leaves no way; "
-                "widen its window"
-            )
-        return self._now().cost(self.instance)
+                return int(stuck)
+        return -1
 
     def _occupied(self, extra: tuple[Ints, Ints] | None = None) -> tuple[Occupancy, Ints]:
         """Return who enters which lane when, and when each pair is entered."""

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from exhaustive import cost_of, instance_of, optimum, random_instance
 from soak import chosen, soaked
+from tiny_fleets import all_schedules
 
 from platoon_osm.errors import ScenarioError
 from platoon_osm.fleets.plan.schedules import Schedules
@@ -163,12 +164,28 @@ def test_who_must_keep_apart_never_enters_a_lane_with_the_other():
         met += bool(set(plan[0]) & set(plan[1]))
         # Told of one of the two alone.
         apart = (np.array([0, 1, 1, 1, 1]), np.array([1]))
+        if not any(
+            set(one).isdisjoint(other)
+            for one in all_schedules(instance, 0)
+            for other in all_schedules(instance, 1)
+        ):
+            with pytest.raises(ScenarioError, match="must keep apart from others"):
+                FleetSearch(instance, seed=seed, apart=apart)
+            continue
         search = searched(instance, seed, apart=apart)
         search.best.check(instance)
         kept = as_tuples(search.best)
         assert not set(kept[0]) & set(kept[1])
         assert search.cost == cost_of(instance, kept) >= optimum(instance).cost
     assert met
+
+
+@pytest.mark.parametrize("seed", [70, 338])
+def test_another_order_is_tried_where_the_first_leaves_somebody_no_way(seed):
+    instance = random_instance(seed, trucks=4, kinds=1)
+    search = FleetSearch(instance, seed=seed, apart=(np.array([0, 1, 1, 1, 1]), np.array([1])))
+    kept = as_tuples(search.best)
+    assert set(kept[0]).isdisjoint(kept[1])
 
 
 def test_two_who_leave_one_place_at_one_instant_cannot_keep_apart():
