@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import neighbourhoods
+from .desk import Plan
 from .draws import below, uniform
 from .moves import Crew
 from .occupancy import Occupancy, first_at
 from .pairs_used import Used
-from .responses import Plan
 
 __all__ = ["HELPERS", "banded", "other_instant"]
 

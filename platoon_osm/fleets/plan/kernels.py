@@ -6,13 +6,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import group_moves
+from .desk import Desk, Plan, Taste
 from .draws import below, uniform
 from .group_moves import banded, other_instant
 from .moves import MOST, Crew, answered, moved, put_in, taken_out
 from .neighbourhoods import drawn_seed, gathered, parts_of_gap
 from .occupancy import Costs, Occupancy
 from .pairs_used import Prices, Used
-from .responses import Desk, Plan, Taste
 
 __all__ = ["HELPERS", "explore", "sweep", "through_pairs"]
 

@@ -14,10 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import waiting
+from .desk import Desk, Plan, Taste
 from .draws import below, uniform
+from .entering import flavoured, price_now
 from .occupancy import Costs, Occupancy, enter, leave
 from .pairs_used import Prices, Used
-from .responses import Desk, Plan, Taste, flavoured, price_now, respond
+from .responses import respond
 from .waiting import respond_waiting, waits
 
 __all__ = ["HELPERS", "MOST", "Crew", "answered", "crew", "moved", "put_in", "taken_out"]

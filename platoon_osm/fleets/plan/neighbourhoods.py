@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import moves
+from .desk import Plan
 from .draws import below, uniform
 from .moves import Crew
 from .occupancy import Costs, Occupancy, first_at, times_at
 from .pairs_used import Prices, Used
-from .responses import Plan
 from .waiting import waits
 
 __all__ = ["HELPERS", "drawn_seed", "gathered", "parts_of_gap"]

@@ -21,13 +21,13 @@ from ...errors import ScenarioError
 from ..instance import Instance
 from . import draws
 from .compiled import EXPLORE, SWEEP
+from .desk import Plan, Taste, desk
 from .guidance import GuideOf, SharesOf
 from .insertion import meeting_points
 from .margin import worth_a_look
 from .moves import crew
 from .occupancy import Costs, Occupancy
 from .pairs_used import Prices, Used, priced, used_pairs
-from .responses import Plan, Taste, desk
 from .schedules import Schedules
 
 __all__ = ["FleetSearch"]

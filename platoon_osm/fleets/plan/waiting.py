@@ -18,9 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import responses
+from .desk import Desk, Plan, Taste
+from .entering import join_price, kept_apart, least_prices, open_price
+from .entries import TIE
+from .heap import popped, pushed
 from .occupancy import Costs, Occupancy, first_at
+from .onward import UNREACHED, least_onward
 from .pairs_used import Prices, Used
-from .responses import Desk, Plan, Taste, join_price, kept_apart, least_prices, open_price
 
 __all__ = ["HELPERS", "respond_waiting", "waits"]
 
@@ -60,43 +64,11 @@ def _needless(x: int, newest: int, w: int, work: Desk) -> bool:
     while newest >= 0:
         if (
             work.time[newest] <= work.time[x]
-            and _there_by(newest, work.until[x], w, work) <= work.cost[x] + 1e-7
+            and _there_by(newest, work.until[x], w, work) <= work.cost[x] + TIE
         ):
             return True
         newest = work.older[newest]
     return False
-
-
-def _pushed(work: Desk, size: int, key: float, label: int) -> int:
-    """Put a label on the heap; return how many there are."""
-    i = size
-    while i > 0:
-        up = (i - 1) >> 1
-        if work.heap_cost[up] <= key:
-            break
-        work.heap_cost[i], work.heap[i] = work.heap_cost[up], work.heap[up]
-        i = up
-    work.heap_cost[i], work.heap[i] = key, label
-    return size + 1
-
-
-def _popped(work: Desk, size: int) -> int:
-    """Take the first label off the heap; return how many are left."""
-    size -= 1
-    key, label = work.heap_cost[size], work.heap[size]
-    i = 0
-    while True:
-        low = 2 * i + 1
-        if low >= size:
-            break
-        if low + 1 < size and work.heap_cost[low + 1] < work.heap_cost[low]:
-            low += 1
-        if work.heap_cost[low] >= key:
-            break
-        work.heap_cost[i], work.heap[i] = work.heap_cost[low], work.heap[low]
-        i = low
-    work.heap_cost[i], work.heap[i] = key, label
-    return size
 
 
 def _labelled(
@@ -240,30 +212,20 @@ def respond_waiting(
     least_prices(k, used, prices, lanes, taste, work)
     first, spot0 = used.first[k], used.first_spot[k]
     rest = work.rest
+    least_onward(k, used, work)
     for s in range(used.first_spot[k + 1] - spot0):
-        rest[s] = 1e300
         work.newest[s] = -1
     goal, start = used.to_spot[k] - spot0, used.from_spot[k] - spot0
-    rest[goal] = 0.0
-    changed = True
-    while changed:
-        changed = False
-        for i in range(first, used.first[k + 1]):
-            p = used.onward[i]
-            through = rest[used.head[p] - spot0] + work.low[p - first]
-            if through < rest[used.tail_spot[p] - spot0] - 1e-9:
-                rest[used.tail_spot[p] - spot0] = through
-                changed = True
     if rest[start] >= upper:
         return -1
     # Windows of lanes out of the origin end with the latest departure.
     work.time[0], work.until[0], work.cost[0], work.parent[0] = used.earliest[k], 1 << 60, 0.0, -1
     work.spot[0] = start
     made = 1
-    size = _pushed(work, 0, rest[start], 0)
+    size = pushed(work.heap_cost, work.heap, 0, rest[start], 0)
     while size > 0:
         x = work.heap[0]
-        size = _popped(work, size)
+        size = popped(work.heap_cost, work.heap, size)
         s = work.spot[x]
         if s == goal:
             return _traced(x, used, work)
@@ -273,18 +235,18 @@ def respond_waiting(
         work.newest[s] = x
         for p in range(used.spot_first[s + spot0], used.spot_first[s + spot0 + 1]):
             v = used.head[p] - spot0
-            if rest[v] >= 1e299 or work.cost[x] + work.low[p - first] + rest[v] >= upper:
+            if rest[v] >= UNREACHED or work.cost[x] + work.low[p - first] + rest[v] >= upper:
                 continue
             end = _entries(
                 k, x, p, rest[v], upper, made, v, used, prices, costs, lanes, plan, taste, work
             )
             for y in range(made, end):
-                size = _pushed(work, size, work.cost[y] + rest[v], y)
+                size = pushed(work.heap_cost, work.heap, size, work.cost[y] + rest[v], y)
             made = end
     return -1
 
 
 HELPERS = (
     *responses.HELPERS,
-    waits, _there_by, _needless, _pushed, _popped, _labelled, _entries, _traced, respond_waiting,
+    waits, _there_by, _needless, _labelled, _entries, _traced, respond_waiting,
 )  # fmt: skip
