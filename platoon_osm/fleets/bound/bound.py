@@ -46,6 +46,10 @@ ENOUGH = 0.03
 BEYOND = 0.007
 """The part of the savings by which steps aim beyond the best at least: a target too near jams."""
 
+FARTHEST = 0.06
+"""The part of the savings by which they aim beyond the best at most: while no plan is known nothing
+else tells how far shares may rise, and steps that aim too far fail."""
+
 BEYOND_FOR_LEADERS = 0.2
 """By how much more where leaders save as much as others; less in proportion where they save less.
 
@@ -141,12 +145,13 @@ class Bound:
                 if self.settled or stop():
                     break
                 best = self._volume.best
-                self._volume.step(crew, max(target, best + self._beyond * (alone - best)))
+                near = min(target, best + FARTHEST * (alone - best))
+                self._volume.step(crew, max(near, best + self._beyond * (alone - best)))
                 self._steps += 1
                 fresh = True
                 if self._steps % LOOK == 0 and self._round >= LISTING_ROUNDS:
                     self._gather()
-                if self._ended(target):
+                if self._ended(target, near):
                     self._next(crew, target)
                     fresh = False
             if fresh:
@@ -185,10 +190,9 @@ class Bound:
         self._volume.begin(crew)
         self._steps, self._looked = 0, self._volume.best
 
-    def _ended(self, target: float) -> bool:
-        """Tell whether a round has done what it can."""
-        missing = target - self._volume.best
-        if missing <= 1e-9 * abs(target):
+    def _ended(self, target: float, near: float) -> bool:
+        """Tell whether a round has done what it can; steps aim at `near`."""
+        if target - self._volume.best <= 1e-9 * abs(target):
             return True
         if self._listing:
             return self._steps >= (FIRST_STEPS if self._round == 0 else LISTING_STEPS)
@@ -198,7 +202,7 @@ class Bound:
         if self._steps >= MOST_STEPS:
             return True
         alone = float(self._instance.alone_cost.sum())
-        missing = max(missing, self._beyond * (alone - self._volume.best))
+        missing = max(near - self._volume.best, self._beyond * (alone - self._volume.best))
         return self._steps >= LEAST_STEPS and gained < ENOUGH * missing
 
     @property
