@@ -8,10 +8,13 @@ from typing import Any
 from ...search.hierarchy.runtime.where_it_pays import WhereItPays
 from . import kernels
 
-__all__ = ["EXPLORE", "SWEEP", "THROUGH"]
+__all__ = ["EXPLORE", "PLAIN_S", "SWEEP", "THROUGH"]
 
 COMPILING_S = 12.0
 """How long compiling one takes, about [s]."""
+
+PLAIN_S = 2e-3
+"""How long a response takes where nothing is compiled, about [s]."""
 
 EXPLORE: WhereItPays[Callable[..., Any]] = WhereItPays(
     kernels.explore, COMPILING_S, kernels.HELPERS

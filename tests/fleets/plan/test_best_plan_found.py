@@ -223,7 +223,7 @@ def test_companies_are_limited_and_shares_guide_the_first_plan():
 
 def test_warming_up_calls_every_kernel(monkeypatch):
     """Each is told to be compiled, and then run on arrays such as it will meet."""
-    from platoon_osm.fleets.plan import compiled, kernels, margin, search, warmth
+    from platoon_osm.fleets.plan import compiled, kernels, margin, slabs, sweeps, warmth
 
     called = []
 
@@ -240,7 +240,7 @@ def test_warming_up_calls_every_kernel(monkeypatch):
             return self.run
 
     for name, kernel in (("EXPLORE", "explore"), ("SWEEP", "sweep"), ("THROUGH", "through_pairs")):
-        for module in (compiled, margin, search, warmth):
+        for module in (compiled, margin, slabs, sweeps, warmth):
             if hasattr(module, name):
                 monkeypatch.setattr(module, name, Plain(kernel))
     warmth.warm_up()
