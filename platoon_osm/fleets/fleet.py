@@ -13,7 +13,8 @@ from ..plans.fleet import Unserved
 from ..plans.plan import Plan
 from .lawful_run import LawfulRun
 from .limits import Limits
-from .model import modelled
+from .model import FleetModel, modelled
+from .one_a_trip_run import OneATripRun
 from .progress import Progress
 from .run import FleetRun
 from .stopping import Course
@@ -79,5 +80,11 @@ def plan_fleet(
     with asked_to_end() as ends:
         course = Course(own, ends)
         model = modelled(problem, own, unserved)
-        kind = FleetRun if model.legal is None else LawfulRun
-        return kind(model, own, course, write_to, on_progress).plan()
+        return _kind(model, own)(model, own, course, write_to, on_progress).plan()
+
+
+def _kind(model: FleetModel, limits: Limits) -> type[FleetRun]:
+    """Return the kind of search that a question takes."""
+    if model.legal is not None:
+        return LawfulRun
+    return OneATripRun if limits.per_trip == "one" else FleetRun

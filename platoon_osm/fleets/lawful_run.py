@@ -21,9 +21,10 @@ from .law.rounds import LawfulFleet
 from .law.written import instants_of, lawful_plan
 from .limits import Limits
 from .model import FleetModel
+from .phases import COURSE, CROWD, CROWDED_COURSE
 from .plan.search import FleetSearch
 from .progress import Progress
-from .run import COURSE, CROWD, CROWDED_COURSE, NOTHING_LEFT, FleetRun
+from .run import NOTHING_LEFT, FleetRun
 from .stopping import Course
 
 __all__ = ["LawfulRun"]

@@ -9,10 +9,8 @@ is solved between.
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,13 +25,13 @@ from .bound.bound import ROUNDING, Bound
 from .certificate import certificate_of, write_fleet
 from .conditions import conditions_of
 from .exact import Ways
-from .exact_process import exact_fleet
+from .exact_told import ExactTold, exact_told
 from .kept_apart import Apart
 from .lanes import TICK_S
 from .limits import Limits
 from .memory import many_records, peak_mb
 from .model import FleetModel
-from .one_platoon import one_platoon
+from .phases import COURSE, CROWD, CROWDED_COURSE
 from .plan.schedules import Schedules
 from .plan.search import FleetSearch
 from .progress import Progress
@@ -43,22 +41,9 @@ from .together import Together
 from .trees.starting import tree_start
 from .written import plan_of
 
-__all__ = ["FleetRun"]
+__all__ = ["NOTHING_LEFT", "STEPS", "FleetRun"]
 
 Ints = NDArray[np.int64]
-
-COURSE = (
-    ("bound", 0.05), ("construct", 0.05), ("bound", 0.15), ("construct", 0.15), ("exact", 0.40),
-    ("bound", 0.40), ("construct", 0.40), ("plan", 0.66), ("bound", 0.77), ("plan", 1.0),
-)  # fmt: skip
-"""Who works until which share of the course."""
-
-CROWDED_COURSE = (
-    ("bound", 0.34), ("construct", 0.34), ("plan", 0.68), ("bound", 0.79), ("plan", 1.0),
-)  # fmt: skip
-"""The same from `CROWD` trucks on, where the first construction is worth waiting for."""
-
-CROWD = 10_000
 
 STEPS = 100
 """Steps of the bound in a round; it is evaluated over all pairs after each."""
@@ -75,12 +60,6 @@ NOTHING_LEFT = 1e-5
 REFUSALS = 40
 """How often platoons that save too little are kept apart, and the rest planned again."""
 
-SMALL = 60_000
-"""The exact model is tried with at most so many entries of a truck into a lane at an instant."""
-
-ONE_PLATOON = 0.5
-"""With one platoon of more than two a trip, the plan is made in this share of the time."""
-
 WRITING, FIRST_WRITING = 0.05, 0.25
 """At most this share of the time goes into writing what is best so far, and from `CROWD` trucks on
 into the first time."""
@@ -88,15 +67,6 @@ into the first time."""
 CLOSING, CLOSING_WRITTEN = 0.7, 1.1
 """What it takes to tell a plan, and to write it too, as a part of what modelling took: both go with
 trucks and lanes. It is measured once something was written."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Exact:
-    """What the exact model told: a plan, its cost, and the least that any has [grains]."""
-
-    ways: Ways
-    cost: int
-    least: int
 
 
 class FleetRun:
@@ -132,7 +102,7 @@ class FleetRun:
         self.together = Together(model, limits.together, self.apart.pairs)
         self.search = self._searching()
         self.alone = int(model.instance.alone_cost.sum())
-        self.exact: _Exact | None = None
+        self.exact: ExactTold | None = None
         self.history: list[Moment] = []
         self.written_s = 0.0
         self.written_cost = self.alone + 1
@@ -159,8 +129,6 @@ class FleetRun:
 
     def plan(self) -> Plan:
         """Search to the end of the course and return the plan."""
-        if self.limits.per_trip == "one":
-            return self._finished(self._one_a_trip())
         course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
         restricted = bool(self.apart) or bool(self.together)
         start = None if restricted else tree_start(self.model.instance)
@@ -199,35 +167,6 @@ class FleetRun:
     def _never() -> bool:
         """Let a round be done whole."""
         return False
-
-    def _one_a_trip(self) -> str:
-        """Plan one platoon a trip; return why it ended."""
-        at, limit = self.course, self.limits.time_s
-        ways, saving = one_platoon(
-            self.together.whole_instance() if self.together else self.model.instance,
-            self.limits.seed,
-            math.ceil(self.limits.min_gain * self.model.lanes.grains),
-            self.apart.pairs,
-            self.together.platoons() if self.together else (),
-            self.together.drive,
-            stop=at.until(ONE_PLATOON),
-            time_s=None if limit is None else ONE_PLATOON * limit,
-        )
-        cost = self.alone - saving
-        proved = self.model.instance.largest == 2 and not self.together
-        self.exact = _Exact(ways, cost, cost if proved else 0)
-        self._tell()
-        until = COURSE[-1][1]
-        stop = at.until(until)
-        while not (self._proved or self.bound.settled or stop() or at.share >= until):
-            self.bound.improve(float(cost), STEPS, stop)
-            at.rounds += 1
-            self._tell()
-        if at.interrupted:
-            return "interrupted"
-        if self._proved:
-            return "proved"
-        return "time" if limit and at.share >= until else "rounds"
 
     def _follow(self, course: tuple[tuple[str, float], ...]) -> str:
         """Do what the course says; return why it ended."""
@@ -277,8 +216,6 @@ class FleetRun:
         """What the best plan costs [grains]."""
         if self.exact is None:
             return self.search.cost
-        if self.limits.per_trip == "one":
-            return self.exact.cost
         return min(self.search.cost, self.exact.cost)
 
     @property
@@ -300,11 +237,9 @@ class FleetRun:
         left_s = None
         if self.limits.time_s is not None:
             left_s = max(1.0, (until - self.course.share) * self.limits.time_s)
-        found = exact_fleet(instance, left_s, most=SMALL, stop=self.course.until(until))
+        found = exact_told(instance, left_s, self.course.until(until))
         if found is not None:
-            # The solver's sums are rounded in their last digits; the certificate's are not.
-            cost = Schedules.of(*found.ways).cost(instance)
-            self.exact = _Exact(found.ways, cost, min(cost, self.alone - found.bound))
+            self.exact = found
             self.course.rounds += 1
             self._tell()
 
@@ -333,9 +268,7 @@ class FleetRun:
 
     def _best_ways(self) -> Ways:
         """Return lanes and instants of the best plan."""
-        if self.exact is not None and (
-            self.limits.per_trip == "one" or self.exact.cost <= self.search.cost
-        ):
+        if self.exact is not None and self.exact.cost <= self.search.cost:
             return self.exact.ways
         return self.search.best.ways()
 
