@@ -39,6 +39,7 @@ from .shifting import shifted
 from .stopping import Course
 from .together import Together
 from .trees.starting import tree_start
+from .writing import Writing
 from .written import plan_of
 
 __all__ = ["NOTHING_LEFT", "STEPS", "FleetRun"]
@@ -59,14 +60,6 @@ NOTHING_LEFT = 1e-5
 
 REFUSALS = 40
 """How often platoons that save too little are kept apart, and the rest planned again."""
-
-WRITING, FIRST_WRITING = 0.05, 0.25
-"""At most this share of the time goes into writing what is best so far, and from `CROWD` trucks on
-into the first time."""
-
-CLOSING, CLOSING_WRITTEN = 0.7, 1.1
-"""What it takes to tell a plan, and to write it too, as a part of what modelling took: both go with
-trucks and lanes. It is measured once something was written."""
 
 
 class FleetRun:
@@ -104,10 +97,8 @@ class FleetRun:
         self.alone = int(model.instance.alone_cost.sum())
         self.exact: ExactTold | None = None
         self.history: list[Moment] = []
-        self.written_s = 0.0
-        self.written_cost = self.alone + 1
-        part = CLOSING if write_to is None else CLOSING_WRITTEN
-        course.closing_s = part * course.seconds
+        crowded = model.instance.trucks >= CROWD
+        self._writing = Writing(course, self.alone, crowded, write_to is not None)
 
     def _searching(self) -> FleetSearch:
         """Return a search that keeps to who must and must not drive together."""
@@ -254,17 +245,9 @@ class FleetRun:
             self.history.append(Moment(round(now.seconds, 3), saving, bound))
         if self.on_progress is not None:
             self.on_progress(now)
-        if self.written_s:
-            affords = self.written_s <= WRITING * now.seconds
-        else:
-            few = self.model.instance.trucks < CROWD
-            affords = few or self.course.closing_s <= FIRST_WRITING * now.seconds
-        if self.write_to is not None and self.planned_cost < self.written_cost and affords:
+        if self._writing.is_due(self.planned_cost, now.seconds):
             self._finished("interrupted")
-            took = self.course.seconds - now.seconds
-            self.written_s += took
-            self.course.closing_s = max(self.course.closing_s, took)
-            self.written_cost = self.planned_cost
+            self._writing.done(self.planned_cost, now.seconds)
 
     def _best_ways(self) -> Ways:
         """Return lanes and instants of the best plan."""
