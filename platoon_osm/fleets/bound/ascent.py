@@ -52,6 +52,9 @@ class Volume:
         w in the module's text.
     patience : int
         Steps without success before the step shrinks.
+    before : ndarray of float64, (S,), or None
+        An average of subgradients to begin with, pair by pair, of the buckets that these are parts
+        of; it is let go once it was taken.
     """
 
     buckets: Buckets
@@ -60,6 +63,7 @@ class Volume:
     part: float
     weight: float
     patience: int
+    before: Floats | None = None
     best: float = -np.inf
     _centre: Floats = field(init=False)
     _tried: Floats = field(init=False)
@@ -72,11 +76,18 @@ class Volume:
         self._centre = self.searching.share[self.buckets.entry]
         self._tried = self._centre.copy()
         self._average = np.zeros(self.buckets.shares)
+        if self.before is not None:
+            self._average = self.before[self.buckets.entry]
 
     @property
     def shares(self) -> Floats:
         """The best shares, pair by pair [grains]."""
         return self._centre[self.buckets.place]
+
+    @property
+    def average(self) -> Floats:
+        """The average of subgradients, pair by pair."""
+        return self._average[self.buckets.place]
 
     def begin(self, crew: Crew) -> None:
         """Work out the bound at the first shares.
@@ -87,7 +98,8 @@ class Volume:
             Who does it.
         """
         self.best = self.searching.search(crew)
-        self._blend(1.0)
+        self._blend(1.0 if self.before is None else self.weight)
+        self.before = None
 
     def step(self, crew: Crew, target: float) -> None:
         """Take one step.

@@ -43,6 +43,13 @@ LOOK = 40
 ENOUGH = 0.03
 """A round ends if less than this part of what is missing was gained between two looks."""
 
+PART, LEAST_PART, AGAIN = 0.5, 0.05, 1.5
+"""The part of a step that the ascent begins with; with many pairs later rounds go on with so many
+times what the round before ended with, but neither with less nor with more."""
+
+MANY_PAIRS = 100_000
+"""From so many pairs on a round goes on with the average of the round before."""
+
 BEYOND = 0.007
 """The part of the savings by which steps aim beyond the best at least: a target too near jams."""
 
@@ -52,7 +59,6 @@ else tells how far shares may rise, and steps that aim too far fail."""
 
 BEYOND_FOR_LEADERS = 0.2
 """By how much more where leaders save as much as others; less in proportion where they save less.
-
 Plans lie further below the linear program there, so that the best plan is too near as a target."""
 
 ROUNDING = 1e-9
@@ -178,14 +184,17 @@ class Bound:
         # Whole numbers below 2^53 are exact in double precision, and so are their sums.
         return _shares(own, share), int(searching.routes.cost.astype(np.int64).sum())
 
-    def _start(self, share: Floats, crew: Crew) -> None:
+    def _start(
+        self, share: Floats, crew: Crew, average: Floats | None = None, part_before: float = PART
+    ) -> None:
         """Begin a round with buckets that were made anew."""
         searching = Searching(self._instance, self._buckets, share)
-        first = self._round == 0
+        part, weight, patience = (PART, 0.1, 3) if self._round == 0 else (PART, 0.07, 8)
+        if average is not None:
+            part, weight = min(max(AGAIN * part_before, LEAST_PART), PART), 0.02
         self._volume = Volume(
             self._buckets, searching, self._instance.largest,
-            part=0.5, weight=0.1 if first else 0.07,
-            patience=3 if first else 8,
+            part=part, weight=weight, patience=patience, before=average,
         )  # fmt: skip
         self._volume.begin(crew)
         self._steps, self._looked = 0, self._volume.best
@@ -228,6 +237,11 @@ class Bound:
         same = buckets.shares == self._buckets.shares
         self.settled = target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 3)
         unlisted = -self._instance.leader_saves[self._instance.pair_lane[listed]]
+        average = None
+        if self._instance.pairs >= MANY_PAIRS:
+            # Where schedules led before is where they lead at first: the average goes on.
+            none = np.zeros(len(unlisted), np.float64)
+            average = inherited(self._buckets, self._volume.average, buckets, none)
         share = inherited(self._buckets, share, buckets, unlisted.astype(np.float64))
         if len(listed) > len(self._listed):
             # What pairs that were not listed left unused is handed out.
@@ -237,7 +251,7 @@ class Bound:
             )  # fmt: skip
         self._listed, self._buckets, self._cuts = listed, buckets, cuts
         self._round += 1
-        self._start(share, crew)
+        self._start(share, crew, average, self._volume.part)
 
     _gathered: Ints = np.empty(0, np.int64)
 

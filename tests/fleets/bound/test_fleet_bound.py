@@ -7,6 +7,7 @@ from soak import chosen, soaked
 from tiny_fleets import all_schedules, cost_under, linear_bound, valid_by_trying
 
 from platoon_osm.fleets.bound import ascent, schedules, splitting, waiting, whole
+from platoon_osm.fleets.bound import bound as bounds
 from platoon_osm.fleets.bound.bound import Bound
 from platoon_osm.fleets.bound.warmth import warm_up
 
@@ -47,13 +48,15 @@ def test_the_bound_is_that_of_the_linear_program(part):
         assert cost >= bound.cost - len(fleet.pair_lane), seed
 
 
-def test_shares_are_valid_at_every_step_and_the_bound_never_falls():
+@pytest.mark.parametrize("many", [0, bounds.MANY_PAIRS])
+def test_shares_are_valid_at_every_step_and_the_bound_never_falls(many, monkeypatch):
+    monkeypatch.setattr(bounds, "MANY_PAIRS", many)
     for seed in range(20):
         fleet = fleet_of(seed)
         bound, before = Bound(fleet), -np.inf
         best = optimum(fleet).cost
         for _ in range(12):
-            bound.improve(best, 7, never)
+            bound.improve(best, 14, never)
             assert valid_by_trying(fleet, bound.certified()[0]), seed
             assert before <= bound.cost <= best
             before = bound.cost
