@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..costs.time_prices import TimePrices
 from .lanes import TICK_S
 from .limits import Limits
 from .model import FleetModel
@@ -27,15 +28,18 @@ def conditions_of(model: FleetModel, limits: Limits) -> tuple[str, ...]:
         One sentence each, without full stops.
     """
     instance = model.instance
+    waiting = "waiting is free"
+    if instance.waiting > 0:
+        waiting = "waiting on the road has its price, and waiting before leaving has none"
+    elif TimePrices.of(model.question.problem.objective).waiting > 0:
+        waiting = "standing longer than alone has its price, and the bound takes it as free"
     found = [
         "each truck keeps its cheapest route alone"
         if instance.given
         else "all routes within the windows count, for every truck",
         "trucks are together on a road if they enter it at one instant",
         "all drive at their own speed, and nobody slows down for company",
-        "waiting is free"
-        if instance.waiting == 0
-        else "waiting on the road has its price, and waiting before leaving has none",
+        waiting,
     ]
     if instance.largest:
         found.append(f"no platoon has more than {instance.largest} vehicles")

@@ -75,8 +75,9 @@ def plan_fleet(
         raise ScenarioError("fleet: limits name neither time_s nor rounds; give one of them")
     if own.time_s is not None and len(problem.trips) >= MANY:
         # Compiling takes seconds once, which are not those that were given to the search.
-        waits = TimePrices.of(problem.objective).waiting > 0
-        warm_up(law=problem.limits_driving, waits=waits)
+        law = problem.limits_driving
+        waits = not law and TimePrices.of(problem.objective).waiting > 0
+        warm_up(law=law, waits=waits)
     with asked_to_end() as ends:
         course = Course(own, ends)
         model = modelled(problem, own, unserved)

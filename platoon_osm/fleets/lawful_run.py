@@ -1,24 +1,31 @@
 """The search for a fleet's plan under driving rules: without law first, then within it.
 
 The bound is that of all plans in the same windows, with or without breaks: a break or a rest is a
-wait, so a lawful plan is one of them. The search without law is the same, but in windows that are
-narrowed by the pauses that every trip needs at least before and after a lane; its ways and meetings
-are then made lawful and improved (`law.rounds`).
+wait, so a lawful plan is one of them. Waiting is free in it, even where it has a price: a plan only
+saves less for that. The search without law is the same, but in windows that are narrowed by the
+pauses that every trip needs at least before and after a lane; its ways and meetings are then made
+lawful and improved (`law.rounds`). Where waiting has a price, it is searched with that price in the
+whole windows: narrowed ones would ask for waits that cost.
 """
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
+from ..costs.time_prices import TimePrices
 from ..plans.plan import Plan
 from ..plans.proof import Proof
 from .exact import Ways
+from .instance import Instance
+from .lanes import TICK_S
 from .law.narrowing import narrowed
 from .law.rounds import LawfulFleet
-from .law.written import instants_of, lawful_plan
+from .law.written import instants_of, lawful_plan, longer_s
 from .limits import Limits
 from .model import FleetModel
 from .phases import COURSE, CROWD, CROWDED_COURSE
@@ -69,15 +76,27 @@ class LawfulRun(FleetRun):
     ) -> None:
         super().__init__(model, limits, course, write_to, on_progress)
         assert model.legal is not None
+        price = TimePrices.of(model.question.problem.objective).waiting
         self.search = FleetSearch(
-            narrowed(model.instance, model.legal), threads=limits.cores, seed=limits.seed,
+            self._without_law(price), threads=limits.cores, seed=limits.seed,
             apart=self.apart.rows,
         )  # fmt: skip
         apart: list[set[int]] = [set() for _ in range(model.instance.trucks)]
         for one, other in self.apart.pairs:
             apart[one].add(other)
             apart[other].add(one)
-        self.law = LawfulFleet(model, apart, limits.seed)
+        self.law = LawfulFleet(
+            model, apart, limits.seed, math.floor(price * model.lanes.grains)
+        )  # fmt: skip
+
+    def _without_law(self, price: float) -> Instance:
+        """Return what is planned without law, with a price of waiting [1/s]."""
+        model = self.model
+        assert model.legal is not None
+        if not price:
+            return narrowed(model.instance, model.legal)
+        # Narrowed windows would ask for waits that cost, as if they were none that one has alone.
+        return replace(model.instance, waiting=math.floor(price * TICK_S * model.lanes.grains))
 
     @property
     def planned_cost(self) -> int:
@@ -112,10 +131,23 @@ class LawfulRun(FleetRun):
             return "interrupted"
         return "time" if self.limits.time_s and self.course.share >= LAST else "rounds"
 
+    def _try_exact(self, until: float) -> None:
+        """Solve the exact model where waiting is free, as it takes it."""
+        if not self.law.waiting:
+            super()._try_exact(until)
+
     def _written(self) -> tuple[Plan, Ways, int]:
         """Return the lawful plan, its ways, and what they cost [grains]."""
         schedules = self.law.schedules
         departs = instants_of(self.model, schedules)
-        plan = lawful_plan(self.model, schedules, departs, Proof("heuristic", 0.0, None))
+        plan = lawful_plan(
+            self.model, schedules, departs, self.law.alone, Proof("heuristic", 0.0, None)
+        )
         lanes = [np.asarray(own.way.lanes, np.int64) for own in schedules]
-        return plan, (lanes, departs), self.law.cost
+        # The certificate counts driving alone: its waiting is free.
+        return plan, (lanes, departs), self.law.occupied.cost()
+
+    def _waiting_cost(self, plan: Plan, ways: Ways) -> float:
+        """Return what is paid for standing longer than alone."""
+        del ways
+        return TimePrices.of(self.model.question.problem.objective).waiting * longer_s(plan)

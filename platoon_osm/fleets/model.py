@@ -119,9 +119,12 @@ def modelled(problem: Problem, limits: Limits, refused: Sequence[Unserved] = ())
     places = [node for end in ends for node in (end.origin, end.destination)]
     lanes = lanes_of(question.net, fleet, kinds, places, largest, grains)
     routes = lanes.of_routes(question.alone)
+    # Breaks and rests are waits, and those that a trip has alone too cost nothing: the bound takes
+    # all waits as free.
+    waiting = 0 if legal is not None else math.floor(prices.waiting * TICK_S * grains)
     instance, rounds = paired(
         lanes, _wanted(lanes, ends, windows, routes), given=limits.routes == "given",
-        largest=largest, waiting=math.floor(prices.waiting * TICK_S * grains),
+        largest=largest, waiting=waiting,
     )  # fmt: skip
     return FleetModel(
         question, first, tuple(asked), lanes, instance, rounds, tuple(routes), unserved, legal
@@ -160,10 +163,6 @@ def _checked(problem: Problem, limits: Limits) -> TimePrices:
         ),
         (law and limits.min_gain > 0, "driving rules and a min_gain"),
         (law and limits.together, "driving rules and vehicles that must drive together"),
-        (
-            law and not prices.are_free,
-            "driving rules and a price of waiting; use an objective without",
-        ),
         (problem.delays is not None or problem.robust, "delays; leave them out"),
         (problem.lead != "master", "a rotated lead; use lead master"),
         (problem.company != "anywhere", "company of the master alone; use company anywhere"),

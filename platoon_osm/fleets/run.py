@@ -277,6 +277,13 @@ class FleetRun:
         costs = [Schedules.of(lanes, own).cost(instance) for own in (departs, moved)]
         return (moved, costs[1]) if costs[1] <= costs[0] else (departs, costs[0])
 
+    def _waiting_cost(self, plan: Plan, ways: Ways) -> float:
+        """Return what waiting on the road costs."""
+        del plan
+        waiting = TimePrices.of(self.model.question.problem.objective).waiting
+        ticks = Schedules.of(*ways).waited(self.model.instance) if waiting > 0 else 0
+        return waiting * ticks * TICK_S
+
     def _finished(self, ended: str, write: bool = True) -> Plan:
         """Return the plan as it is now, and write it if that is wanted."""
         with many_records():
@@ -289,10 +296,7 @@ class FleetRun:
         plan, (lanes, departs), paid = self._written()
         cost = sum(share.cost for stretch in plan.stretches for share in stretch.shares)
         alone = sum(trip.alone.cost for trip in plan.trips)
-        waiting = TimePrices.of(model.question.problem.objective).waiting
-        if waiting > 0:
-            ticks = Schedules.of(lanes, departs).waited(model.instance)
-            cost += waiting * ticks * TICK_S
+        cost += self._waiting_cost(plan, (lanes, departs))
         saving = alone - cost
         bound = max(saving, (self.alone - certified) / unit)
         told = None

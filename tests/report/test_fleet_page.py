@@ -127,12 +127,16 @@ def test_a_long_stretch_is_cut_where_the_corridor_begins_and_ends() -> None:
     assert run.end_s == pytest.approx(begin + (end - begin) * 0.6)
 
 
-@pytest.mark.parametrize(("given", "waiting"), [(True, 0), (False, 3)])
-def test_all_conditions_are_told_in_other_languages(given: bool, waiting: int) -> None:
+@pytest.mark.parametrize(
+    ("given", "waiting", "costs"),
+    [(True, 0, po.PaperCosts()), (False, 3, po.MoneyCosts()), (True, 0, po.MoneyCosts())],
+)
+def test_all_conditions_are_told_in_other_languages(given: bool, waiting: int, costs: Any) -> None:
     instance = SimpleNamespace(given=given, waiting=waiting, largest=4, kind=np.array([0, 1]))
     model: Any = SimpleNamespace(
-        instance=instance, lanes=SimpleNamespace(grains=1000.0), legal=SimpleNamespace()
-    )
+        instance=instance, lanes=SimpleNamespace(grains=1000.0), legal=SimpleNamespace(),
+        question=SimpleNamespace(problem=SimpleNamespace(objective=costs)),
+    )  # fmt: skip
     limits: Any = SimpleNamespace(
         per_trip="one", apart=(("A", "B"),), together=(("A", "C"),), min_gain=1.0
     )

@@ -19,7 +19,7 @@ from ...planning.legal.driver.trip_search import TripSearch
 from ...planning.legal.platoon.star_times import Span, VehicleRules
 from .compiled import HOP_S, JOINING
 from .driven import Occupied, Scheduled, left_at
-from .search_joining import PAID, WITH
+from .search_joining import PRICED, WITH
 from .ways import LaneWay
 
 __all__ = ["WIDTH", "Truck"]
@@ -88,6 +88,8 @@ class Truck:
         below: int = FAR,
         apart: Container[int] = (),
         *,
+        waiting: int = 0,
+        stands_s: int = 0,
         width: int = WIDTH,
         dominance: bool = True,
     ) -> Scheduled | None:
@@ -101,6 +103,10 @@ class Truck:
             Only a trip that costs less is of use [grains].
         apart : container of int
             Trucks that it must not drive with.
+        waiting : int
+            What each second costs that it stands longer than `stands_s` [grains/s].
+        stands_s : int
+            How long it stands for nothing [s].
         width : int
             How many labels of each point are kept; 0 for all.
         dominance : bool
@@ -127,11 +133,12 @@ class Truck:
         labels, info, paid, first = kernel(
             road.drive_s, road.clock_s, road.stay_s, way.lane_of, way.first_hop, first_windows,
             windows, search.numbers, search.kinds, begins, infos, with_whom, offers.first,
-            offers.cost, offers.first_moment, offers.moments, alone, offers.to_go, below,
-            search.monday, fixed, span.arrival_s, search.weeks, int(weekly), width, dominance,
+            offers.cost, offers.first_moment, offers.moments, alone, offers.to_go, below, waiting,
+            stands_s, search.monday, fixed, span.arrival_s, search.weeks, int(weekly), width,
+            dominance,
         )  # fmt: skip
         low, high = int(first[-2]), int(first[-1])
-        for label in np.lexsort((labels[low:high, TIME], paid[low:high, PAID])):
+        for label in np.lexsort((labels[low:high, TIME], paid[low:high, PRICED])):
             found = self._driven(labels, info, paid, low + int(label), offers)
             if found is not None:
                 return found

@@ -6,6 +6,9 @@ drive (`response`), those with the longest pauses first; what the others do not 
 counts as they would drive it. Then all are asked again until no truck finds a better trip: whoever
 is due a break finds where its company stands, and stands there with it. At last neighbourhoods of
 trucks are taken out and put in again, in other orders, and kept so where that costs less.
+
+Where waiting has a price, each pays it for what it stands longer on its way than on its lawful trip
+alone.
 """
 
 from __future__ import annotations
@@ -50,6 +53,8 @@ class LawfulFleet:
         Trucks that each must not drive with.
     seed : int
         Of the draws.
+    waiting : int, optional
+        What a second costs that one stands longer than on its lawful trip alone [grains/s].
 
     Attributes
     ----------
@@ -59,10 +64,12 @@ class LawfulFleet:
         What all pay [grains].
     """
 
-    def __init__(self, model: FleetModel, apart: Sequence[set[int]], seed: int) -> None:
+    def __init__(
+        self, model: FleetModel, apart: Sequence[set[int]], seed: int, waiting: int = 0
+    ) -> None:
         legal = model.legal
         assert legal is not None
-        self.model, self.legal, self.apart = model, legal, apart
+        self.model, self.legal, self.apart, self.waiting = model, legal, apart, waiting
         self._ways = LaneWays(legal, model.lanes)
         self._trucks: dict[tuple[int, bytes], Truck] = {}
         self._rng = np.random.default_rng(seed)
@@ -73,13 +80,15 @@ class LawfulFleet:
         self.occupied = Occupied(costs.alone, costs.member, costs.extra, costs.largest)
         for k, own in enumerate(self.alone):
             self._put(k, self._kept_apart(k, own))
-        paused = [own.trip.paused_s if own.trip is not None else 0 for own in self.alone]
-        self._order = sorted(range(len(paused)), key=lambda k: (-paused[k], k))
+        self._paused = [own.trip.paused_s if own.trip is not None else 0 for own in self.alone]
+        self._order = sorted(range(len(self.alone)), key=lambda k: (-self._paused[k], k))
 
     @property
     def cost(self) -> int:
         """What all pay [grains]."""
-        return self.occupied.cost()
+        return self.occupied.cost() + sum(
+            self._waits(k, own) for k, own in enumerate(self.schedules)
+        )
 
     def start(self, lanes: Sequence[Ints], departs: Sequence[Ints]) -> None:
         """Make the schedules of the search without law lawful, one truck after the other.
@@ -110,7 +119,7 @@ class LawfulFleet:
                 if stop():
                     return
                 own = self._take(k)
-                before = self.occupied.price(own)
+                before = self._price(k, own)
                 better |= self._answer(k, own, before) < before
             if not better:
                 return
@@ -133,7 +142,7 @@ class LawfulFleet:
             old, before = [], 0
             for k in chosen:
                 own = self._take(k)
-                before += self.occupied.price(own)
+                before += self._price(k, own)
                 old.append(own)
             after = 0
             for at in self._rng.permutation(len(chosen)).tolist():
@@ -171,11 +180,14 @@ class LawfulFleet:
         if self._free[k]:
             ways = {one.way.lanes.tobytes(): one.way.lanes for one in (own, self.alone[k])}
             for lanes in ways.values():
-                found = self._truck(k, lanes).best(self.occupied, below, self.apart[k])
+                found = self._truck(k, lanes).best(
+                    self.occupied, below, self.apart[k], waiting=self.waiting,
+                    stands_s=self._paused[k],
+                )  # fmt: skip
                 if found is None:
                     continue
                 found = self._kept_apart(k, found)
-                if (price := self.occupied.price(found)) < below:
+                if (price := self._price(k, found)) < below:
                     best, below = found, price
         if best is None:
             best = self._kept_apart(k, self.alone[k])
@@ -183,9 +195,19 @@ class LawfulFleet:
         if below < FAR:
             return below
         self.occupied.leave(k, best)
-        price = self.occupied.price(best)
+        price = self._price(k, best)
         self.occupied.enter(k, best)
         return price
+
+    def _price(self, k: int, schedule: Scheduled) -> int:
+        """Return what all pay more once a truck that is taken out drives a timetable."""
+        return self.occupied.price(schedule) + self._waits(k, schedule)
+
+    def _waits(self, k: int, schedule: Scheduled) -> int:
+        """Return what a truck pays for standing longer than alone."""
+        if not self.waiting or schedule.trip is None:
+            return 0
+        return self.waiting * max(0, schedule.trip.paused_s - self._paused[k])
 
     def _kept_apart(self, k: int, schedule: Scheduled) -> Scheduled:
         """Return a timetable that is with nobody it must not be with, even by chance."""

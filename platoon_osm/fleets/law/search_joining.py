@@ -6,6 +6,12 @@ then it leaves every point of the lane at that company's instants, and stands wh
 it stands is a pause of its own as far as the law has it so. Of two labels one is dropped if the
 other has paid no more and is in nothing behind (`planning.legal.driver.dominance`).
 
+Standing may have a price: w for each second by which a trip stands longer on its way than `stands`.
+A label has been on its way for G, and that stays so up to a departure at M; if it goes on at T, it
+has been for max(G, T - M). So a label that follows another's trip stands longer by at most
+max(0, G - G', M' - M), and it is in nothing behind if it is not even with w times that added to
+what it paid.
+
 Functions are plain; `compiled` compiles them.
 """
 
@@ -20,6 +26,8 @@ from ...planning.legal.driver.kept_labels import KEPT, grown
 from ...planning.legal.driver.label import (
     CLOSES,
     COLUMNS,
+    GONE,
+    GONE_MOST,
     INFO,
     KIND,
     LASTS,
@@ -34,12 +42,13 @@ from ...planning.legal.driver.numbers import NONE
 from ...planning.legal.driver.pausing import PAUSES, allowed, lasts, leave
 from ...planning.legal.driver.road import NO_LIMIT
 
-__all__ = ["HELPERS", "PAID", "WITH", "search_joining"]
+__all__ = ["HELPERS", "PAID", "PRICED", "WITH", "search_joining"]
 
 Ints = NDArray[np.int64]
 
-PAID, WITH, BOTH = 0, 1, 2
-"""What is kept beside a label: what was paid, and the company of its lane, -1 for none."""
+PAID, WITH, PRICED, BESIDES = 0, 1, 2, 3
+"""What is kept beside a label: what was paid, the company of its lane, -1 for none, and what was
+paid with what it has stood too long."""
 
 
 def _narrowed(
@@ -47,7 +56,7 @@ def _narrowed(
 ) -> None:
     """Move some labels of a point to the front: half of them the cheapest, the rest the first."""
     size = total - begin
-    cheapest = np.argsort(kept_paid[begin:total, PAID], kind="mergesort")
+    cheapest = np.argsort(kept_paid[begin:total, PRICED], kind="mergesort")
     chosen = np.zeros(size, np.int64)
     taken = np.zeros(size, np.bool_)
     count = 0
@@ -76,7 +85,7 @@ def search_joining(
     windows_first: Ints, windows_s: Ints, numbers: Ints, kinds: Ints,
     begins: Ints, begins_info: Ints, begins_with: Ints,
     first_offer: Ints, offer_cost: Ints, first_moment: Ints, moments: Ints,
-    alone: Ints, to_go: Ints, below: int,
+    alone: Ints, to_go: Ints, below: int, waiting: int, stands: int,
     monday: int, fixed_weekly_end: int, latest: int, weeks: int, weekly: int, width: int,
     dominance: bool,
 ) -> tuple[Ints, Ints, Ints, Ints]:  # fmt: skip
@@ -110,6 +119,10 @@ def search_joining(
         What the lanes from each on cost at least [grains].
     below : int
         Only trips that pay less than this are looked for [grains].
+    waiting : int
+        What each second costs that it stands longer than `stands` [grains/s].
+    stands : int
+        How long it stands for nothing [s].
     monday : int
         A Monday 0:00 UTC [s].
     fixed_weekly_end : int
@@ -129,8 +142,9 @@ def search_joining(
         The labels.
     int64 array, (m, INFO)
         How each came about.
-    int64 array, (m, 2)
-        What each has paid, and the offer it takes on the lane that it has driven last.
+    int64 array, (m, 3)
+        What each has paid, the offer it takes on the lane that it has driven last, and what it has
+        paid with its standing.
     int64 array, (n + 2,)
         Where the labels of each point begin.
     """
@@ -144,10 +158,10 @@ def search_joining(
     first = np.zeros(n + 2, np.int64)
     kept = np.zeros((256, COLUMNS), np.int64)
     kept_info = np.zeros((256, INFO), np.int64)
-    kept_paid = np.zeros((256, BOTH), np.int64)
+    kept_paid = np.zeros((256, BESIDES), np.int64)
     found = np.zeros((256, COLUMNS), np.int64)
     found_info = np.zeros((256, INFO), np.int64)
-    found_paid = np.zeros((256, BOTH), np.int64)
+    found_paid = np.zeros((256, BESIDES), np.int64)
     need = np.zeros(COLUMNS, np.int64)
     total = 0
     for k in range(n):
@@ -225,8 +239,13 @@ def search_joining(
                             False, weeks, weekly, out[WEEKLY_END] > fixed_weekly_end,
                         ):  # fmt: skip
                             continue
+                        longer = out[GONE] - (left_s[0] - left_s[k + 1]) - stands
+                        priced = paid + waiting * max(0, longer)
+                        if priced + to_go[lane + 1] >= below:
+                            continue
                         found_paid[count, PAID] = paid
                         found_paid[count, WITH] = joined
+                        found_paid[count, PRICED] = priced
                         count += 1
         first[k + 1] = total
         if count == 0:
@@ -245,7 +264,13 @@ def search_joining(
             covered = False
             if dominance:
                 for other in range(begin, total):
-                    if kept_paid[other, PAID] > found_paid[label, PAID]:
+                    more = 0
+                    if waiting > 0:
+                        more = max(
+                            0, kept[other, GONE] - need[GONE],
+                            need[GONE_MOST] - kept[other, GONE_MOST],
+                        )  # fmt: skip
+                    if kept_paid[other, PAID] + waiting * more > found_paid[label, PAID]:
                         continue
                     if not ends and kept_paid[other, WITH] != found_paid[label, WITH]:
                         continue

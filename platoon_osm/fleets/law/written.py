@@ -3,6 +3,10 @@
 A leg of the plan begins at a whole second where its company changes and where somebody has waited
 or paused; within it lanes follow each other without a stop, so that it ends a little before its
 whole seconds are over.
+
+How long a trip alone stands is told as it would be written so: beside its breaks and rests it
+stands the parts of seconds that its driving before them was rounded up by. A vehicle waits for what
+it stands longer.
 """
 
 from __future__ import annotations
@@ -14,7 +18,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ...network.placed import network_below
+from ...network.placed import access_of, network_below
 from ...planning.billing import with_bill
 from ...planning.legal.cut_at_pauses import CutPlan, Driven, plan_with_days
 from ...planning.timing.days import pauses_of
@@ -27,7 +31,7 @@ from ..model import FleetModel
 from ..written import untimed_plan
 from .driven import Scheduled
 
-__all__ = ["instants_of", "lawful_plan"]
+__all__ = ["instants_of", "lawful_plan", "longer_s"]
 
 Ints = NDArray[np.int64]
 Span = tuple[float, float]
@@ -86,7 +90,11 @@ def instants_of(model: FleetModel, schedules: Sequence[Scheduled]) -> list[Ints]
 
 
 def lawful_plan(
-    model: FleetModel, schedules: Sequence[Scheduled], departs: Sequence[Ints], proof: Proof
+    model: FleetModel,
+    schedules: Sequence[Scheduled],
+    departs: Sequence[Ints],
+    alone: Sequence[Scheduled],
+    proof: Proof,
 ) -> Plan:
     """Return the plan of lawful timetables.
 
@@ -98,6 +106,8 @@ def lawful_plan(
         What each drives.
     departs : sequence of ndarray of int64, (N, ...)
         When each enters its lanes, of `instants_of` [ticks].
+    alone : sequence of Scheduled, (N,)
+        The lawful trip of each alone.
     proof : Proof
         What is proved of its cost.
 
@@ -115,13 +125,56 @@ def lawful_plan(
         driven.append(Driven(own.way.points, own.trip, rules))
     cut = plan_with_days(plan, legal.question.net, routes, driven)
     trips = tuple(
-        replace(trip, alone=replace(trip.alone, paused_s=own.trip.paused_s))
-        for trip, own in zip(cut.plan.trips, legal.alone, strict=True)
+        replace(trip, alone=replace(trip.alone, paused_s=_stands_alone(model, k, own)))
+        for k, (trip, own) in enumerate(zip(cut.plan.trips, alone, strict=True))
     )
     table = _timetable(model, cut, schedules, driven)
     named = replace(table, rules=problem.rules.name, task_relief=problem.task_relief)
     whole = replace(cut.plan, trips=trips, timetable=named)
     return with_bill(whole, problem.objective, network_below(model.question.net))
+
+
+def longer_s(plan: Plan) -> float:
+    """Return how much longer vehicles stand on their ways than on their lawful trips alone.
+
+    Parameters
+    ----------
+    plan : Plan
+        Of `lawful_plan`.
+
+    Returns
+    -------
+    float
+        Of all together [s]; who stands less than alone has waited for nothing, and gains nothing.
+    """
+    return sum(
+        max(0.0, times.waiting_s - trip.alone.paused_s)
+        for trip, times in zip(plan.trips, plan.times, strict=True)
+        if times is not None
+    )
+
+
+def _stands_alone(model: FleetModel, k: int, own: Scheduled) -> float:
+    """Return how long a trip alone stands on its way, as a timetable would tell it [s].
+
+    Its legs end at pauses, and where it joins or leaves the road.
+    """
+    assert own.trip is not None
+    first, road, points = model.lanes.first_edge, own.way.road, own.way.points
+    edges = np.concatenate(
+        [model.lanes.edges[first[one] : first[one + 1]] for one in own.way.lanes.tolist()]
+    )
+    drive_s = model.question.fleet.drive_s((k,))[edges]
+    before_s = np.concatenate([[0.0], np.cumsum(drive_s), [0.0]])
+    beside = access_of(model.question.net, edges)
+    ends = [points.index_of(int(at)) for at in np.flatnonzero(beside[1:] != beside[:-1]) + 1]
+    ends += [pause.point for pause in own.trip.pauses]
+    if not ends:
+        return 0.0
+    last = points.points[max(ends)]
+    part_s = last.share * drive_s[last.at] if last.share else 0.0
+    rounded_s = float(road.drive_s[: max(ends)].sum()) - before_s[last.at] - part_s
+    return float(own.trip.paused_s + rounded_s)
 
 
 def _timetable(

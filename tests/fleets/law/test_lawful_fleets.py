@@ -93,6 +93,47 @@ def test_every_plan_passes_the_checkers(tmp_path, seed):
     assert pauses(plan) or seed
 
 
+@soaked
+@pytest.mark.parametrize("seed", range(chosen(2, 100)))
+def test_what_is_stood_longer_than_alone_is_paid(tmp_path, seed):
+    file = tmp_path / "fleet.json"
+    costs = po.MoneyCosts(("eu", "us")[seed % 2])
+    rules = ("eu561", "us395")[seed % 2]
+    problem = po.Problem(
+        grid(seed), trips(7, seed, window=90), costs, rules=rules, max_platoon=(None, 3)[seed % 2]
+    )
+    plan, other = (
+        po.plan_fleet(problem, replace(SHORT, threads=threads), write_to=file) for threads in (1, 2)
+    )
+    assert plan.stretches == other.stretches
+    assert plan.timetable == other.timetable
+    assert inspect_plan(plan) == []
+    _, read = certify(file)
+    assert read.fleet.saving == plan.fleet.saving
+    alone = sum(trip.alone.cost for trip in plan.trips)
+    joint = sum(share.cost for one in plan.stretches for share in one.shares)
+    for trip, own in zip(plan.trips, plan.timetable.vehicles, strict=True):
+        driven = sum(end - begin for begin, end in own.legs)
+        stood = own.arrival_s - own.departure_s - driven
+        joint += costs.waiting(max(0.0, stood - trip.alone.paused_s))
+    assert plan.fleet.saving == pytest.approx(alone - joint, abs=1e-3)
+    assert -1e-6 <= plan.fleet.saving <= plan.fleet.bound + 1e-6
+    # In other draws nobody may find company that pays.
+    assert plan.fleet.saving > 0 or seed > 1
+    cents = sum(sum(one.alone_cents) - sum(one.joint_cents) for one in plan.bill.vehicles)
+    # Each vehicle's terms are rounded to cents.
+    assert abs(cents / 100 - plan.fleet.saving) < 0.05 * len(plan.trips)
+    assert any("longer than alone" in one for one in plan.fleet.conditions)
+
+
+def test_who_has_no_company_waits_for_nothing(net):
+    plan = po.plan_fleet(po.Problem(net, [far("A")], po.MoneyCosts(), rules="eu561"), SHORT)
+    (stood,) = (sum(own.waits) for own in plan.timetable.vehicles)
+    assert stood > 2700
+    assert plan.trips[0].alone.paused_s == pytest.approx(stood, abs=1e-6)
+    assert plan.fleet.saving == pytest.approx(0, abs=1e-6)
+
+
 def test_who_drives_together_stands_together(net):
     plan = planned(net, [far("A"), far("B"), far("C")])
     assert inspect_plan(plan) == []

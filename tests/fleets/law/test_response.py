@@ -2,9 +2,11 @@
 
 The oracle tries each company or none on each lane, and asks `small_law.drivable` whether the way
 can be driven so: every departure and every whole second of standing, under laws of few seconds.
+Where standing has a price, each departure is tried with the earliest arrival that it allows.
 """
 
 import itertools
+from functools import cache
 
 import numpy as np
 import pytest
@@ -68,16 +70,32 @@ class Drawn:
                 own[tuple(moments)] = set(range(1, 1 + int(rng.integers(1, 4))))
             self.occupied.by_lane[lane] = own
             self.offers.append([None, *own])
+        self.waiting, self.stands = int(rng.integers(1, 30)), int(rng.integers(0, 8))
 
-    def drives(self, chosen):
-        """Whether the way can be driven with some companies."""
-        leave = []
+    @cache  # noqa: B019 - a draw lives as long as its test
+    def longer(self, chosen):
+        """How much longer than for nothing it stands at least with some companies."""
+        span, most = self.span, []
+        for departs in range(span.earliest_s, span.latest_s + 1):
+            for arrives in range(departs + sum(self.drive), span.arrival_s + 1):
+                if self.drives(chosen, departs, arrives):
+                    most.append(arrives - departs - sum(self.drive))
+                    break
+        return max(0, min(most) - self.stands)
+
+    def drives(self, chosen, departs=None, arrives=None):
+        """Whether the way can be driven with some companies, at a departure, till an arrival."""
+        span, leave = self.span, []
         for lane, moments in enumerate(chosen):
             hops = int(self.first[lane + 1] - self.first[lane])
             leave += [None] * hops if moments is None else list(moments)
+        if departs is not None:
+            if leave[0] not in (None, departs):
+                return False
+            leave[0], span = departs, Span(span.earliest_s, span.latest_s, arrives)
         drive = tuple(self.drive)
         way = Way(drive, drive, tuple(self.stay), (*leave, None))
-        return drivable(way, self.rules, self.span)
+        return drivable(way, self.rules, span)
 
     def price(self, chosen):
         """What all pay more for a truck with some companies."""
@@ -110,6 +128,41 @@ def test_the_best_of_all_choices_of_company(seed):
     assert drawn.occupied.price(whole) == drawn.occupied.price(found)
     assert drawn.drives([moments for _, moments in found.entries()])
     assert truck.best(drawn.occupied, below=least) is None
+
+
+def priced(drawn, found):
+    """What all pay more for a timetable, its standing among it."""
+    trip = found.trip
+    assert trip.paused_s == trip.arrival_s - trip.departure_s - sum(drawn.drive)
+    longer = max(0, trip.paused_s - drawn.stands)
+    return drawn.occupied.price(found) + drawn.waiting * longer
+
+
+@soaked
+@pytest.mark.parametrize("seed", range(chosen(60, 6000)))
+def test_the_best_of_all_where_standing_has_a_price(seed):
+    drawn = Drawn(seed)
+    if not drawn.feasible:
+        return
+    least = min(
+        (
+            drawn.price(some) + drawn.waiting * drawn.longer(some)
+            for some in itertools.product(*drawn.offers)
+            if drawn.drives(some)
+        ),
+        default=None,
+    )
+    truck = Truck(0, drawn.way, drawn.rules, drawn.span, -1000)
+    asked = {"waiting": drawn.waiting, "stands_s": drawn.stands}
+    found = truck.best(drawn.occupied, **asked)
+    whole = truck.best(drawn.occupied, width=0, dominance=False, **asked)
+    if least is None:
+        assert found is None
+        assert whole is None
+        return
+    assert priced(drawn, found) == priced(drawn, whole) == least
+    assert drawn.drives(tuple(moments for _, moments in found.entries()))
+    assert truck.best(drawn.occupied, below=least, **asked) is None
 
 
 def test_most_draws_have_company_to_choose():
