@@ -41,7 +41,7 @@ def test_a_plan_interrupted_at_any_moment(forks):
     Path("a.html").write_text("old")
     before = files()
     draw = random.Random(7)
-    for number in range(chosen(5, 40)):
+    for number in range(chosen(3, 40)):
         # What imports at its start is interrupted there too, and the others while they work.
         begin, seconds = (start, (0.8, 3.0)) if number % 4 == 0 else (forks.start, (0.05, 5.0))
         process = begin("plan", "plan.toml", *ALL)
