@@ -28,10 +28,9 @@ from .law.rounds import LawfulFleet
 from .law.written import instants_of, lawful_plan, longer_s
 from .limits import Limits
 from .model import FleetModel
-from .phases import COURSE, CROWD, CROWDED_COURSE
-from .plan.search import FleetSearch
+from .phases import phases_of
 from .progress import Progress
-from .run import NOTHING_LEFT, FleetRun
+from .run import FleetRun
 from .stopping import Course
 
 __all__ = ["LawfulRun"]
@@ -77,10 +76,6 @@ class LawfulRun(FleetRun):
         super().__init__(model, limits, course, write_to, on_progress)
         assert model.legal is not None
         price = TimePrices.of(model.question.problem.objective).waiting
-        self.search = FleetSearch(
-            self._without_law(price), threads=limits.cores, seed=limits.seed,
-            apart=self.apart.rows,
-        )  # fmt: skip
         apart: list[set[int]] = [set() for _ in range(model.instance.trucks)]
         for one, other in self.apart.pairs:
             apart[one].add(other)
@@ -89,10 +84,11 @@ class LawfulRun(FleetRun):
             model, apart, limits.seed, math.floor(price * model.lanes.grains)
         )  # fmt: skip
 
-    def _without_law(self, price: float) -> Instance:
-        """Return what is planned without law, with a price of waiting [1/s]."""
+    def _searched_instance(self) -> Instance:
+        """Return what is planned without law, with its price of waiting."""
         model = self.model
         assert model.legal is not None
+        price = TimePrices.of(model.question.problem.objective).waiting
         if not price:
             return narrowed(model.instance, model.legal)
         # Narrowed windows would ask for waits that cost, as if they were none that one has alone.
@@ -105,9 +101,8 @@ class LawfulRun(FleetRun):
 
     def plan(self) -> Plan:
         """Search to the end of the course and return the plan."""
-        crowded = self.model.instance.trucks >= CROWD
-        course = CROWDED_COURSE if crowded else COURSE
-        self._follow(tuple((who, WITHOUT_LAW * until) for who, until in course))
+        phases = phases_of(self.model.instance.trucks)
+        self._follow(tuple((who, WITHOUT_LAW * until) for who, until in phases))
         stop = self.course.until(LAST)
         self.law.start(*self.search.best.ways())
         self._tell()
@@ -125,7 +120,7 @@ class LawfulRun(FleetRun):
 
     def _ended(self) -> str:
         """Return why the search ended."""
-        if self.law.cost - self.least <= max(1.0, NOTHING_LEFT * (self.alone - self.least)):
+        if self._nothing_left(self.law.cost):
             return "proved"
         if self.course.interrupted:
             return "interrupted"

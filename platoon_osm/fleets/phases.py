@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-__all__ = ["COURSE", "CROWD", "CROWDED_COURSE"]
+__all__ = ["COURSE", "CROWD", "CROWDED_COURSE", "Phases", "phases_of"]
+
+Phases = tuple[tuple[str, float], ...]
 
 COURSE = (
     ("bound", 0.05), ("construct", 0.05), ("bound", 0.15), ("construct", 0.15), ("exact", 0.40),
@@ -17,3 +19,19 @@ CROWDED_COURSE = (
 
 CROWD = 10_000
 """So many trucks are a crowd."""
+
+
+def phases_of(trucks: int) -> Phases:
+    """Return who works until which share of the course.
+
+    Parameters
+    ----------
+    trucks : int
+        How many there are.
+
+    Returns
+    -------
+    tuple of (str, float)
+        One after the other.
+    """
+    return CROWDED_COURSE if trucks >= CROWD else COURSE

@@ -26,12 +26,13 @@ from .certificate import certificate_of, write_fleet
 from .conditions import conditions_of
 from .exact import Ways
 from .exact_told import ExactTold, exact_told
+from .instance import Instance
 from .kept_apart import Apart
 from .lanes import TICK_S
 from .limits import Limits
 from .memory import many_records, peak_mb
 from .model import FleetModel
-from .phases import COURSE, CROWD, CROWDED_COURSE
+from .phases import COURSE, CROWD, Phases, phases_of
 from .plan.schedules import Schedules
 from .plan.search import FleetSearch
 from .progress import Progress
@@ -42,7 +43,7 @@ from .trees.starting import tree_start
 from .writing import Writing
 from .written import plan_of
 
-__all__ = ["NOTHING_LEFT", "STEPS", "FleetRun"]
+__all__ = ["STEPS", "FleetRun"]
 
 Ints = NDArray[np.int64]
 
@@ -100,6 +101,10 @@ class FleetRun:
         crowded = model.instance.trucks >= CROWD
         self._writing = Writing(course, self.alone, crowded, write_to is not None)
 
+    def _searched_instance(self) -> Instance:
+        """Return the problem that the search works on."""
+        return self.model.instance
+
     def _searching(self) -> FleetSearch:
         """Return a search that keeps to who must and must not drive together."""
         # They drive nowhere until they respond to the others.
@@ -111,7 +116,7 @@ class FleetRun:
                 "them; let trips have one platoon, or leave one of both out"
             )
         search = FleetSearch(
-            self.model.instance, threads=self.limits.cores, seed=self.limits.seed,
+            self._searched_instance(), threads=self.limits.cores, seed=self.limits.seed,
             apart=self.apart.rows, fixed=fixed,
         )  # fmt: skip
         if self.together:
@@ -120,12 +125,11 @@ class FleetRun:
 
     def plan(self) -> Plan:
         """Search to the end of the course and return the plan."""
-        course = CROWDED_COURSE if self.model.instance.trucks >= CROWD else COURSE
         restricted = bool(self.apart) or bool(self.together)
         start = None if restricted else tree_start(self.model.instance)
         if start is not None:
             self.search.take(*start)
-        ended = self._follow(course)
+        ended = self._follow(phases_of(self.model.instance.trucks))
         if not self.limits.min_gain:
             return self._finished(ended)
         return self._worthwhile(ended)
@@ -159,7 +163,7 @@ class FleetRun:
         """Let a round be done whole."""
         return False
 
-    def _follow(self, course: tuple[tuple[str, float], ...]) -> str:
+    def _follow(self, course: Phases) -> str:
         """Do what the course says; return why it ended."""
         at = self.course
         for who, until in course:
@@ -196,11 +200,15 @@ class FleetRun:
     @property
     def _proved(self) -> bool:
         """Whether nothing is left between plan and bound."""
-        left = self.cost - self.least
+        return self._nothing_left(self.cost)
+
+    def _nothing_left(self, cost: int) -> bool:
+        """Tell whether nothing is left between what a plan costs and the bound."""
+        left = cost - self.least
         if left <= max(1.0, NOTHING_LEFT * (self.alone - self.least)):
             return True
         # So little may be what the bound was lowered by for rounding; in whole numbers it is exact.
-        return left <= 2 * ROUNDING * self.alone and self.cost - self.bound.certified()[1] <= 1
+        return left <= 2 * ROUNDING * self.alone and cost - self.bound.certified()[1] <= 1
 
     @property
     def cost(self) -> int:

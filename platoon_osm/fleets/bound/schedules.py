@@ -16,12 +16,21 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...search.hierarchy.runtime.jit import compiled, made_known
+from ...search.hierarchy.runtime.jit import compiled, kept_with, made_known
 from .leaving import leaves_at
 from .prices import Prices, Routes
 from .ways import Ways
 
-__all__ = ["Prices", "Routes", "cheapest", "least_onward", "popped", "pushed", "told_schedules"]
+__all__ = [
+    "Prices",
+    "Routes",
+    "cheapest",
+    "least_onward",
+    "popped",
+    "pushed",
+    "told_schedules",
+    "traced",
+]
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -158,6 +167,43 @@ def least_onward(k: int, ways: Ways, prices: Prices, least: Floats, onward: Floa
             return
 
 
+def traced(
+    k: int,
+    at: int,
+    found: int,
+    cost: Floats,
+    parent: Ints,
+    pair: Ints,
+    entry: Ints,
+    routes: Routes,
+) -> None:
+    """Write down the schedule that ends with a label.
+
+    Parameters
+    ----------
+    k, at : int
+        The truck, and where its schedule begins in `routes`.
+    found : int
+        The label at its destination.
+    cost, parent, pair, entry : ndarray
+        Of all labels: what they cost [grains], the label before, and the pair and bucket entered.
+    routes : Routes
+        Get pairs, buckets, number and cost.
+    """
+    count = 0
+    one = found
+    while parent[one] >= 0:
+        count += 1
+        one = parent[one]
+    routes.length[k] = count
+    routes.cost[k] = cost[found]
+    one = found
+    for i in range(at + count - 1, at - 1, -1):
+        routes.pair[i] = pair[one]
+        routes.entry[i] = entry[one]
+        one = parent[one]
+
+
 def pushed(heap: Ints, size: int, one: int, time: Ints) -> int:
     """Put a label on a heap in order of time.
 
@@ -220,7 +266,7 @@ def popped(heap: Ints, size: int, time: Ints) -> int:
     return size
 
 
-for _helper in (_over_lane, _merged, least_onward, pushed, popped):
+for _helper in (_over_lane, _merged, least_onward, traced, pushed, popped):
     made_known(_helper)
 
 
@@ -352,18 +398,7 @@ def cheapest(
         if found < 0:
             routes.cost[k] = limit
             continue
-        count = 0
-        one = found
-        while parent[one] >= 0:
-            count += 1
-            one = parent[one]
-        routes.length[k] = count
-        routes.cost[k] = cost[found]
-        one = found
-        for i in range(at + count - 1, at - 1, -1):
-            routes.pair[i] = pair[one]
-            routes.entry[i] = entry[one]
-            one = parent[one]
+        traced(k, at, found, cost, parent, pair, entry, routes)
     return -1
 
 
@@ -396,3 +431,6 @@ def told_schedules(
             lanes[k, i] = lane[p]
             departs[k, i] = now
             now += ways.drive[p]
+
+
+kept_with(told_schedules, (leaves_at,))

@@ -19,10 +19,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ...search.hierarchy.runtime.jit import compiled, made_known
+from ...search.hierarchy.runtime.jit import compiled, kept_with, made_known
 from .leaving import waited
 from .prices import Prices, Routes
-from .schedules import FAR, TOLERANCE, least_onward, popped, pushed
+from .schedules import FAR, TOLERANCE, least_onward, popped, pushed, traced
 from .ways import Ways
 
 __all__ = ["cheapest_waiting"]
@@ -327,16 +327,8 @@ def cheapest_waiting(
         if found < 0:
             routes.cost[k] = limit
             continue
-        count = 0
-        one = found
-        while parent[one] >= 0:
-            count += 1
-            one = parent[one]
-        routes.length[k] = count
-        routes.cost[k] = cost[found]
-        one = found
-        for i in range(at + count - 1, at - 1, -1):
-            routes.pair[i] = pair[one]
-            routes.entry[i] = entry[one]
-            one = parent[one]
+        traced(k, at, found, cost, parent, pair, entry, routes)
     return -1
+
+
+kept_with(cheapest_waiting, (waited, least_onward, popped, pushed, traced))

@@ -1,6 +1,7 @@
 """What numba keeps of a fleet's kernel is told by the files of all that it calls."""
 
 import importlib
+from pathlib import Path
 from types import CodeType, FunctionType
 
 import pytest
@@ -39,3 +40,21 @@ def test_all_that_a_kernel_calls_is_told_with_it(room, least):
         assert called <= {*kernel._helpers}, called - {*kernel._helpers}
         seen |= called
     assert len(seen) >= least
+
+
+def test_what_a_kernel_of_the_bound_calls_in_other_files_is_told_with_it():
+    others = set()
+    for name in ("schedules", "waiting", "projecting", "ascent", "whole"):
+        module = importlib.import_module(f"platoon_osm.fleets.bound.{name}")
+        for kernel in vars(module).values():
+            if not hasattr(kernel, "py_func") or kernel.py_func.__module__ != module.__name__:
+                continue
+            called = {one.__code__.co_filename for one in called_by(kernel.py_func, set())}
+            called.discard(module.__file__)
+            if called:
+                stats = [Path(file).stat() for file in sorted(called)]
+                stamp = kernel._cache._cache_file._source_stamp
+                told = stamp[1] if isinstance(stamp[1], tuple) else ()
+                assert set(told) >= {(one.st_mtime, one.st_size) for one in stats}, kernel
+            others |= called
+    assert len(others) >= 2
