@@ -5,10 +5,11 @@ import json
 import subprocess
 import sys
 from dataclasses import replace
-from datetime import datetime, timedelta
+from datetime import timedelta
 
 import numpy as np
 import pytest
+from grid_fleets import DAY, base, trips_on_grid
 from places import ROOT
 from random_networks import network
 
@@ -21,8 +22,6 @@ from platoon_osm.fleets.stopping import Course
 from platoon_osm.inspection.certificate.belief import certify
 from platoon_osm.plans.convoys import convoys_of
 from platoon_osm.plans.plan import Plan
-
-DAY = datetime(2026, 3, 2, 6)
 
 
 def grid(side=5, seed=3):
@@ -42,21 +41,8 @@ def grid(side=5, seed=3):
     )  # fmt: skip
 
 
-def base(net):
-    length = net.length_m
-    return po.EdgeWeights(solo=length, platoon=0.9 * length, master=length, unit="m", params={})
-
-
 def trips(count, seed=1, flexibility=30, side=5):
-    rng = np.random.default_rng(seed)
-    ends = [rng.choice(side * side, 2, replace=False).tolist() for _ in range(count)]
-    return [
-        po.Trip(
-            f"T{k}", a, b, DAY + timedelta(minutes=int(rng.integers(0, 90))),
-            flexibility_min=flexibility,
-        )
-        for k, (a, b) in enumerate(ends)
-    ]  # fmt: skip
+    return trips_on_grid(count, seed, flexibility, side, within_min=90)
 
 
 @pytest.fixture(scope="module")

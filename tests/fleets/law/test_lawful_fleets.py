@@ -2,10 +2,11 @@
 
 import json
 from dataclasses import replace
-from datetime import datetime, timedelta
+from datetime import timedelta
 
 import numpy as np
 import pytest
+from grid_fleets import DAY, base, trips_on_grid
 from random_networks import network
 from soak import chosen, soaked
 
@@ -16,7 +17,6 @@ from platoon_osm.inspection.certificate.belief import certify
 from platoon_osm.inspection.certificate.faults import FaultError
 from platoon_osm.inspection.verdict import inspect_plan
 
-DAY = datetime(2026, 3, 2, 6)
 SHORT = po.Limits(time_s=None, rounds=6, threads=1)
 
 
@@ -36,21 +36,8 @@ def grid(seed=3, side=4):
     )  # fmt: skip
 
 
-def base(net):
-    length = net.length_m
-    return po.EdgeWeights(solo=length, platoon=0.9 * length, master=length, unit="m", params={})
-
-
 def trips(count, seed, window=45, side=4):
-    rng = np.random.default_rng(seed)
-    ends = [rng.choice(side * side, 2, replace=False).tolist() for _ in range(count)]
-    return [
-        po.Trip(
-            f"T{k}", a, b, DAY + timedelta(minutes=int(rng.integers(0, 60))),
-            flexibility_min=window,
-        )
-        for k, (a, b) in enumerate(ends)
-    ]  # fmt: skip
+    return trips_on_grid(count, seed, window, side, within_min=60)
 
 
 @pytest.fixture(scope="module")
