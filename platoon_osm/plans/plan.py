@@ -302,7 +302,8 @@ class Plan:
         dict
             As docs/plan.schema.json describes it.
         """
-        return plain(self)  # type: ignore[no-any-return]
+        found: dict[str, Any] = plain(self)
+        return found
 
     @classmethod
     def from_dict(cls, data: Mapping[str, Any]) -> Plan:
