@@ -7,12 +7,12 @@ from dataclasses import dataclass, fields, replace
 __all__ = [
     "CURVES",
     "LARGEST",
-    "LIMIT_OF_CURVES_S",
     "SIZES_OF_CURVES",
     "TABLE",
     "TRUCKS",
     "Cell",
     "in_words",
+    "of_curve",
 ]
 
 TRUCKS = (100, 200, 500, 1000, 2000, 5000, 10_000, 20_000)
@@ -21,7 +21,11 @@ LARGEST = (2, 3, 5, 0)
 SIZES_OF_CURVES = (1000, 5000)
 """Windows and largest platoons are tried with fleets of these sizes."""
 
-LIMIT_OF_CURVES_S = 120.0
+SMALL = 2000
+"""Fleets of the curves up to this size are searched for a minute, larger ones for two."""
+
+DRAWS, DRAWS_ASKED = 3, 10
+"""Of days of 1,000 trucks; ten where routes are free and platoons of any size."""
 
 BEFORE_S, BEFORE_A_TRUCK_S = 10.0, 0.003
 """What starting, drawing and writing may take beyond the limit of the search."""
@@ -96,11 +100,18 @@ def _drawn(cell: Cell, draws: int) -> list[Cell]:
     return [replace(cell, seed=seed) for seed in range(1, draws + 1)]
 
 
+def of_curve(trucks: int) -> Cell:
+    """Return the fleet of so many trucks that curves go through."""
+    return Cell(trucks=trucks, limit_s=60.0 if trucks <= SMALL else 120.0)
+
+
 def _table() -> list[Cell]:
     """Return the cells of the table, row by row."""
     rows = []
-    for place, draws in (("DE", 10), ("IT", 10), ("map", 3)):
-        for routes, largest, limit_s in (("given", 0, 10.0), ("free", 0, 60.0), ("free", 5, 60.0)):
+    for place, asked_draws in (("DE", DRAWS_ASKED), ("IT", DRAWS_ASKED), ("map", DRAWS)):
+        for routes, largest, limit_s, draws in (
+            ("given", 0, 10.0, DRAWS), ("free", 0, 60.0, asked_draws), ("free", 5, 60.0, DRAWS),
+        ):  # fmt: skip
             rows += _drawn(Cell(place, 1000, routes, largest, limit_s=limit_s), draws)
     for place, largest_fleet in (("DE", 20_000), ("IT", 20_000), ("map", 5000)):
         long = place == "DE"
@@ -112,7 +123,7 @@ def _table() -> list[Cell]:
             if trucks <= largest_fleet:
                 asked = limits_s if long else limits_s[:1]
                 rows += [Cell(place, trucks, routes, largest, limit_s=float(s)) for s in asked]
-    for trucks, limit_s, draws in ((1000, 60.0, 3), (5000, 120.0, 1)):
+    for trucks, limit_s, draws in ((1000, 60.0, DRAWS), (5000, 120.0, 1)):
         usual = Cell("DE", trucks, limit_s=limit_s)
         rows += _drawn(replace(usual, day="peaked"), draws)
         for window_min in (10.0, 60.0):
@@ -122,11 +133,10 @@ def _table() -> list[Cell]:
 
 def _curves() -> list[Cell]:
     """Return the cells of the curves, each once."""
-    usual = Cell(limit_s=LIMIT_OF_CURVES_S)
-    cells = [replace(usual, trucks=trucks) for trucks in TRUCKS]
+    cells = [of_curve(trucks) for trucks in TRUCKS]
     for trucks in SIZES_OF_CURVES:
-        cells += [replace(usual, trucks=trucks, window_min=window) for window in WINDOWS_MIN]
-        cells += [replace(usual, trucks=trucks, largest=largest) for largest in LARGEST]
+        cells += [replace(of_curve(trucks), window_min=window) for window in WINDOWS_MIN]
+        cells += [replace(of_curve(trucks), largest=largest) for largest in LARGEST]
     return list(dict.fromkeys(cells))
 
 

@@ -15,11 +15,11 @@ from pathlib import Path
 from benchmarks.fleet_cells import (
     CURVES,
     LARGEST,
-    LIMIT_OF_CURVES_S,
     SIZES_OF_CURVES,
     TABLE,
     TRUCKS,
     Cell,
+    of_curve,
 )
 from benchmarks.sections import markdown_table, write_section
 
@@ -194,12 +194,12 @@ def _line(
     name: str, size: int | None, known: Mapping[Cell, Figures]
 ) -> list[tuple[float, Figures]]:
     """Return the points of a curve over one field of a cell, of fleets of a size if given."""
-    usual = Cell(limit_s=LIMIT_OF_CURVES_S)
     found = [
         (_place(cell, name), known[cell])
         for cell in CURVES
         if cell in known
-        and cell == replace(usual, **{"trucks": size or cell.trucks, name: getattr(cell, name)})
+        and cell.trucks == (size or cell.trucks)
+        and cell == replace(of_curve(cell.trucks), **{name: getattr(cell, name)})
     ]
     return sorted(found, key=lambda point: point[0])
 
