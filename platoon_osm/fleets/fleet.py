@@ -19,6 +19,7 @@ from .progress import Progress
 from .run import FleetRun
 from .stopping import Course
 from .warmth import warm_up
+from .worthwhile_run import WorthwhileRun
 
 __all__ = ["plan_fleet"]
 
@@ -88,4 +89,6 @@ def _kind(model: FleetModel, limits: Limits) -> type[FleetRun]:
     """Return the kind of search that a question takes."""
     if model.legal is not None:
         return LawfulRun
-    return OneATripRun if limits.per_trip == "one" else FleetRun
+    if limits.per_trip == "one":
+        return OneATripRun
+    return WorthwhileRun if limits.min_gain else FleetRun

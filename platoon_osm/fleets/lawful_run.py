@@ -116,15 +116,7 @@ class LawfulRun(FleetRun):
             self._tell()
             if before - self.law.cost <= WORTH_A_ROUND * (self.alone - self.law.cost):
                 break
-        return self._finished(self._ended())
-
-    def _ended(self) -> str:
-        """Return why the search ended."""
-        if self._nothing_left(self.law.cost):
-            return "proved"
-        if self.course.interrupted:
-            return "interrupted"
-        return "time" if self.limits.time_s and self.course.share >= LAST else "rounds"
+        return self._finished(self._why_ended(LAST))
 
     def _try_exact(self, until: float) -> None:
         """Solve the exact model where waiting is free, as it takes it."""

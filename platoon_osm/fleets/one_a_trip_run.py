@@ -8,11 +8,9 @@ from __future__ import annotations
 
 import math
 
-from ..plans.plan import Plan
 from .exact import Ways
 from .exact_told import ExactTold
 from .one_platoon import one_platoon
-from .phases import COURSE
 from .run import STEPS, FleetRun
 
 __all__ = ["OneATripRun"]
@@ -23,10 +21,6 @@ ONE_PLATOON = 0.5
 
 class OneATripRun(FleetRun):
     """A search for a plan with one platoon a trip; its parameters are those of `FleetRun`."""
-
-    def plan(self) -> Plan:
-        """Make the plan, raise the bound to the end of the course, and return the plan."""
-        return self._finished(self._searched())
 
     @property
     def cost(self) -> int:
@@ -54,14 +48,9 @@ class OneATripRun(FleetRun):
         proved = self.model.instance.largest == 2 and not self.together
         self.exact = ExactTold(ways, cost, cost if proved else 0)
         self._tell()
-        until = COURSE[-1][1]
-        stop = at.until(until)
-        while not (self._proved or self.bound.settled or stop() or at.share >= until):
+        stop = at.until(1.0)
+        while not (self._proved or self.bound.settled or stop() or at.share >= 1.0):
             self.bound.improve(float(cost), STEPS, stop)
             at.rounds += 1
             self._tell()
-        if at.interrupted:
-            return "interrupted"
-        if self._proved:
-            return "proved"
-        return "time" if limit and at.share >= until else "rounds"
+        return self._why_ended(1.0)

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from ..costs.time_prices import TimePrices
 from ..errors import ScenarioError
-from ..plans.convoys import convoys_of
 from ..plans.fleet import FleetRecord, Moment
 from ..plans.plan import Plan
 from ..plans.proof import Proof
 from .bound.bound import ROUNDING, Bound
 from .certificate import certificate_of, write_fleet
 from .conditions import conditions_of
+from .cooling import heat_at
 from .exact import Ways
 from .exact_told import ExactTold, exact_told
 from .instance import Instance
@@ -32,7 +32,7 @@ from .lanes import TICK_S
 from .limits import Limits
 from .memory import many_records, peak_mb
 from .model import FleetModel
-from .phases import COURSE, CROWD, Phases, phases_of
+from .phases import CROWD, Phases, phases_of
 from .plan.schedules import Schedules
 from .plan.search import FleetSearch
 from .progress import Progress
@@ -43,7 +43,7 @@ from .trees.starting import tree_start
 from .writing import Writing
 from .written import plan_of
 
-__all__ = ["STEPS", "FleetRun"]
+__all__ = ["FEW_MOVES", "STEPS", "FleetRun"]
 
 Ints = NDArray[np.int64]
 
@@ -53,14 +53,8 @@ STEPS = 100
 MOVES, FEW_MOVES = 4000, 1000
 """Neighbourhoods of the plan in a round, and with as few trucks."""
 
-COLD = 0.15
-"""The last part of a phase accepts no plan that costs more."""
-
 NOTHING_LEFT = 1e-5
 """A gap below this share of the savings is worth no more search."""
-
-REFUSALS = 40
-"""How often platoons that save too little are kept apart, and the rest planned again."""
 
 
 class FleetRun:
@@ -125,48 +119,20 @@ class FleetRun:
 
     def plan(self) -> Plan:
         """Search to the end of the course and return the plan."""
+        return self._finished(self._searched())
+
+    def _searched(self) -> str:
+        """Search to the end of the course; return why it ended."""
         restricted = bool(self.apart) or bool(self.together)
         start = None if restricted else tree_start(self.model.instance)
         if start is not None:
             self.search.take(*start)
-        ended = self._follow(phases_of(self.model.instance.trucks))
-        if not self.limits.min_gain:
-            return self._finished(ended)
-        return self._worthwhile(ended)
+        return self._follow(phases_of(self.model.instance.trucks))
 
-    def _worthwhile(self, ended: str) -> Plan:
-        """Return a plan in which each platoon saves enough: those of the others stay apart."""
-        for refusals in range(REFUSALS):
-            plan = self._finished(ended, write=False)
-            small = [
-                platoon.vehicles
-                for platoon in convoys_of(plan)
-                if (platoon.saving or 0.0) < self.limits.min_gain
-                and not any({*group} <= {*platoon.vehicles} for group in self.together.groups)
-            ]
-            if not small:
-                return self._finished("refused" if refusals else ended)
-            self.apart = self.apart.also(small)
-            self.exact = None
-            self.search = self._searching()
-            self.search.construct(self.bound.shares, self.bound.guide)
-            for heat in (0.2, 0.1, 0.0):
-                self.search.improve(
-                    self.bound.shares, self.bound.guide, FEW_MOVES, heat, self._never
-                )
-        raise ScenarioError(
-            "fleet: some platoons save less than min_gain whoever is kept apart; give a smaller one"
-        )
-
-    @staticmethod
-    def _never() -> bool:
-        """Let a round be done whole."""
-        return False
-
-    def _follow(self, course: Phases) -> str:
-        """Do what the course says; return why it ended."""
-        at = self.course
-        for who, until in course:
+    def _follow(self, phases: Phases) -> str:
+        """Do what each phase says; return why the search ended."""
+        at, trucks = self.course, self.model.instance.trucks
+        for number, (who, until) in enumerate(phases):
             stop = at.until(until)
             if who == "construct":
                 self.search.construct(self.bound.shares, self.bound.guide)
@@ -178,24 +144,29 @@ class FleetRun:
             begun, still = at.share, True
             while still and at.share < until and not stop():
                 if self._proved:
-                    return "proved"
+                    return self._why_ended(until)
                 if who == "bound":
                     self.bound.improve(float(self.cost), STEPS, stop)
                     still = not self.bound.settled
                 else:
-                    left = (until - at.share) / max(until - begun, 1e-9)
-                    heat = max(0.0, (left - COLD) / (1 - COLD))
-                    moves = MOVES if self.model.instance.trucks > FEW_MOVES else FEW_MOVES
+                    heat = heat_at(phases, number, begun, at.share, trucks)
+                    moves = MOVES if trucks > FEW_MOVES else FEW_MOVES
                     self.search.improve(self.bound.shares, self.bound.guide, moves, heat, stop)
                     if self.together:
                         self.together.answered(self.search)
                 at.rounds += 1
                 self._tell()
             if at.interrupted:
-                return "interrupted"
-        if self._proved:
+                break
+        return self._why_ended(phases[-1][1])
+
+    def _why_ended(self, until: float) -> str:
+        """Return why the search ended that might have gone on until a share of the course."""
+        if self._nothing_left(self.planned_cost):
             return "proved"
-        return "time" if self.limits.time_s and at.share >= COURSE[-1][1] else "rounds"
+        if self.course.interrupted:
+            return "interrupted"
+        return "time" if self.limits.time_s and self.course.share >= until else "rounds"
 
     @property
     def _proved(self) -> bool:

@@ -28,8 +28,8 @@ __all__ = ["FleetSearch"]
 
 Ints = NDArray[np.int64]
 
-HOT = 0.7
-"""The highest temperature, as a part of what a mean trip could save; a tenth in a small fleet."""
+HOT, HOT_IF_SMALL = 0.25, 0.07
+"""The highest temperature, as a part of what a mean trip could save; below `LARGE` trucks."""
 
 
 class FleetSearch:
@@ -72,7 +72,7 @@ class FleetSearch:
         if instance.trucks >= LARGE:
             self._points = meeting_points(instance)
         self._at = AtHand(instance, _both_ways(instance.trucks, apart), fixed, self._points[0])
-        self._hot = _temperature(instance) * (1.0 if self._at.large else 0.1)
+        self._hot = _temperature(instance, HOT if self._at.large else HOT_IF_SMALL)
         self._calls = 0
         self._current = self._swept([plain_taste(0.0)])
         self._kept = self._at.copied()
@@ -226,14 +226,14 @@ class FleetSearch:
             self.cost = self._current
 
 
-def _temperature(instance: Instance) -> float:
-    """Return the highest temperature of a large fleet [grains]."""
+def _temperature(instance: Instance, hot: float) -> float:
+    """Return the highest temperature [grains], `hot` of what a mean trip could save."""
     savings = np.zeros(instance.lanes)
     paid = instance.alone > 0
     savings[paid] = 1 - instance.member[paid] / instance.alone[paid]
     mean = float(savings[paid].mean()) if paid.any() else 0.0
     per_trip = float(instance.alone_cost.mean()) if instance.trucks else 0.0
-    return HOT * mean * per_trip
+    return hot * mean * per_trip
 
 
 def _both_ways(count: int, apart: tuple[Ints, Ints] | None) -> tuple[Ints, Ints]:

@@ -1,0 +1,45 @@
+"""Heat falls from 1 to 0: in each phase of a small fleet's plan, once in a large fleet's."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from platoon_osm.fleets.cooling import heat_at
+from platoon_osm.fleets.phases import phases_of
+
+SMALL, LARGE, CROWD = 1000, 5000, 20_000
+
+
+def heats(trucks, late=0.0):
+    """Return shares and heats of each phase of the plan, that begins so much late."""
+    phases, begin, found = phases_of(trucks), 0.0, []
+    for number, (who, until) in enumerate(phases):
+        if who == "plan":
+            begun = begin + late
+            shares = np.linspace(begun, until, 50)
+            found.append((shares, [heat_at(phases, number, begun, s, trucks) for s in shares]))
+        begin = until
+    return found
+
+
+@pytest.mark.parametrize("late", [0.0, 0.05])
+@pytest.mark.parametrize("trucks", [SMALL, LARGE, CROWD])
+def test_it_falls_within_a_phase_and_nothing_dearer_is_taken_at_the_end(trucks, late):
+    for _, found in heats(trucks, late):
+        assert all(1 >= one >= other >= 0 for one, other in itertools.pairwise(found))
+        assert found[0] > found[-1]
+    assert found[-1] == 0 == found[-5]
+
+
+@pytest.mark.parametrize("trucks", [LARGE, CROWD])
+def test_a_large_fleet_goes_on_as_cold_as_it_was(trucks):
+    (_, first), (_, second) = heats(trucks)
+    assert first[0] == pytest.approx(1)
+    assert second[0] == pytest.approx(first[-1])
+    assert 0 < first[-1] < 0.5
+
+
+def test_a_small_fleet_is_hot_again():
+    for _, found in heats(SMALL):
+        assert (found[0], found[-1]) == (pytest.approx(1), 0)
