@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .phases import Phases
-from .plan.at_hand import LARGE
+from .plan.habits import LARGE
 
 __all__ = ["heat_at"]
 

@@ -92,8 +92,8 @@ class FleetRun:
         self.alone = int(model.instance.alone_cost.sum())
         self.exact: ExactTold | None = None
         self.history: list[Moment] = []
-        crowded = model.instance.trucks >= CROWD
-        self._writing = Writing(course, self.alone, crowded, write_to is not None)
+        trucks, wanted = model.instance.trucks, write_to is not None
+        self._writing = Writing(course, self.alone, trucks, trucks >= CROWD, wanted)
 
     def _searched_instance(self) -> Instance:
         """Return the problem that the search works on."""

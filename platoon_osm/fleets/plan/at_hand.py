@@ -12,18 +12,16 @@ from ..instance import Instance
 from .desk import Plan
 from .fixed import FixedWays, entries_of, with_fixed
 from .guidance import GuideOf, SharesOf
+from .habits import LARGE
 from .occupancy import Costs, Occupancy
 from .occupied import occupied
 from .schedules import Schedules
 from .views import Views
 
-__all__ = ["LARGE", "AtHand", "Kept"]
+__all__ = ["AtHand", "Kept"]
 
 Ints = NDArray[np.int64]
 Marks = NDArray[np.bool_]
-
-LARGE = 2000
-"""From so many trucks on, a plan is begun with prepared lanes."""
 
 MARGIN = 0.25
 """See `margin`; eight times as wide below `LARGE` trucks."""

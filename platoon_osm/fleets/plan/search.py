@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..instance import Instance
-from .at_hand import LARGE, AtHand
+from .at_hand import AtHand
 from .desk import Taste
 from .fixed import FixedWays
 from .guidance import GuideOf, SharesOf
+from .habits import LARGE, habits_of
 from .insertion import meeting_points
 from .schedules import Schedules
 from .slabs import explored, slabs
@@ -27,9 +28,6 @@ from .sweeps import plain_taste, sweeps
 __all__ = ["FleetSearch"]
 
 Ints = NDArray[np.int64]
-
-HOT, HOT_IF_SMALL = 0.25, 0.07
-"""The highest temperature, as a part of what a mean trip could save; below `LARGE` trucks."""
 
 
 class FleetSearch:
@@ -72,7 +70,7 @@ class FleetSearch:
         if instance.trucks >= LARGE:
             self._points = meeting_points(instance)
         self._at = AtHand(instance, _both_ways(instance.trucks, apart), fixed, self._points[0])
-        self._hot = _temperature(instance, HOT if self._at.large else HOT_IF_SMALL)
+        self._hot = _temperature(instance, habits_of(instance.trucks).hot)
         self._calls = 0
         self._current = self._swept([plain_taste(0.0)])
         self._kept = self._at.copied()

@@ -18,20 +18,12 @@ from . import draws
 from .at_hand import AtHand
 from .compiled import EXPLORE, PLAIN_S
 from .desk import desk
+from .habits import habits_of
 from .moves import crew
 
 __all__ = ["explored", "slabs"]
 
 Ints = NDArray[np.int64]
-
-SATURATED = 8000
-"""From so many trucks on, some moves are group moves."""
-
-GROUP_MOVES = 0.3
-"""Their share then."""
-
-NEIGHBOURS = 20
-"""Trucks of a neighbourhood at most, below so many as are large; a few more beyond."""
 
 CHUNK = 250
 """Moves between two questions whether to stop."""
@@ -101,18 +93,17 @@ def explored(
     state = draws.started(seed, 2, call, number)
     work, some = desk(view.used, at.width), crew(count, at.width)
     sums = np.zeros(len(active))
-    size = NEIGHBOURS + (4 if at.large else 0)
-    size = max(2, min(size, len(active)))
-    group = GROUP_MOVES if count >= SATURATED else 0.05
+    habits = habits_of(count)
+    size = max(2, min(habits.neighbours, len(active)))
     kernel = EXPLORE.ready(moves * size * PLAIN_S)
     change, done = 0, 0
     while done < moves:
         now = min(CHUNK, moves - done)
         change += int(
             kernel(
-                now, size, group, temperature, active, is_active, view.guide, view.guide_count,
-                view.used, view.prices, at.costs, lanes, at.plan(), entered, work, state, some,
-                sums,
+                now, size, habits.group_moves, temperature, active, is_active, view.guide,
+                view.guide_count, view.used, view.prices, at.costs, lanes, at.plan(), entered,
+                work, state, some, sums,
             )
         )  # fmt: skip
         done += now
