@@ -10,7 +10,7 @@ is solved between.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,6 +49,9 @@ Ints = NDArray[np.int64]
 
 STEPS = 100
 """Steps of the bound in a round; it is evaluated over all pairs after each."""
+
+STALLED_ROUNDS, STALLED = 4, 0.01
+"""A bound that closed less than this part of the gap in so many rounds leaves time to the plan."""
 
 MOVES, FEW_MOVES = 4000, 1000
 """Neighbourhoods of the plan in a round, and with as few trucks."""
@@ -141,13 +144,14 @@ class FleetRun:
             if who == "exact":
                 self._try_exact(until)
                 continue
-            begun, still = at.share, True
+            begun, still, rising = at.share, True, [self.bound.cost]
             while still and at.share < until and not stop():
                 if self._proved:
                     return self._why_ended(until)
                 if who == "bound":
                     self.bound.improve(float(self.cost), STEPS, stop)
-                    still = not self.bound.settled
+                    rising.append(self.bound.cost)
+                    still = not (self.bound.settled or self._stalled(rising))
                 else:
                     heat = heat_at(phases, number, begun, at.share, trucks)
                     moves = MOVES if trucks > FEW_MOVES else FEW_MOVES
@@ -159,6 +163,13 @@ class FleetRun:
             if at.interrupted:
                 break
         return self._why_ended(phases[-1][1])
+
+    def _stalled(self, rising: Sequence[float]) -> bool:
+        """Tell whether the bound rose so little that the plan can use the time better."""
+        if len(rising) <= STALLED_ROUNDS:
+            return False
+        rise = rising[-1] - rising[-1 - STALLED_ROUNDS]
+        return rise <= STALLED * (self.cost - rising[-1])
 
     def _why_ended(self, until: float) -> str:
         """Return why the search ended that might have gone on until a share of the course."""

@@ -1,12 +1,14 @@
-"""Heat falls from 1 to 0: in each phase of a small fleet's plan, once in a large fleet's."""
+"""Heat falls from 1 to 0, in each phase of a small plan, once in a large one; phases end early."""
 
 import itertools
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from platoon_osm.fleets.cooling import heat_at
 from platoon_osm.fleets.phases import phases_of
+from platoon_osm.fleets.run import FleetRun
 
 SMALL, LARGE, CROWD = 1000, 5000, 20_000
 
@@ -43,3 +45,13 @@ def test_a_large_fleet_goes_on_as_cold_as_it_was(trucks):
 def test_a_small_fleet_is_hot_again():
     for _, found in heats(SMALL):
         assert (found[0], found[-1]) == (pytest.approx(1), 0)
+
+
+def test_a_bound_that_stalls_leaves_time_to_the_plan():
+    run = SimpleNamespace(cost=1000.0)
+    rising = [900.0, 905.0, 905.2, 905.4, 905.6, 905.8]
+    assert not FleetRun._stalled(run, rising[:4])
+    assert not FleetRun._stalled(run, rising[:5])
+    assert FleetRun._stalled(run, rising)
+    run.cost = 910.0
+    assert not FleetRun._stalled(run, rising)
