@@ -16,7 +16,7 @@ def heat_at(phases: Phases, number: int, begun: float, share: float, trucks: int
 
     Small fleets cool in each phase of the plan, for what is proved in the first need not wait for
     the second. Large ones cool once: a second heat would undo what the first found
-    (docs/fleets-plan.md, "Colder, and once").
+    (docs/fleets-plan.md, "Cooling").
 
     Parameters
     ----------

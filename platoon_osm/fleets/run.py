@@ -32,7 +32,7 @@ from .lanes import TICK_S
 from .limits import Limits
 from .memory import many_records, peak_mb
 from .model import FleetModel
-from .phases import CROWD, Phases, phases_of
+from .phases import Phases, phases_of
 from .plan.schedules import Schedules
 from .plan.search import FleetSearch
 from .progress import Progress
@@ -95,8 +95,7 @@ class FleetRun:
         self.alone = int(model.instance.alone_cost.sum())
         self.exact: ExactTold | None = None
         self.history: list[Moment] = []
-        trucks, wanted = model.instance.trucks, write_to is not None
-        self._writing = Writing(course, self.alone, trucks, trucks >= CROWD, wanted)
+        self._writing = Writing(course, self.alone, model.instance.trucks, write_to is not None)
 
     def _searched_instance(self) -> Instance:
         """Return the problem that the search works on."""
@@ -147,7 +146,7 @@ class FleetRun:
             begun, still, rising = at.share, True, [self.bound.cost]
             while still and at.share < until and not stop():
                 if self._proved:
-                    return self._why_ended(until)
+                    return "proved"
                 if who == "bound":
                     self.bound.improve(float(self.cost), STEPS, stop)
                     rising.append(self.bound.cost)

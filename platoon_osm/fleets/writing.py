@@ -5,9 +5,10 @@ Writing takes time from the search, so it may take no more than a small part of 
 
 from __future__ import annotations
 
+from .phases import CROWD
 from .stopping import Course
 
-__all__ = ["Writing"]
+__all__ = ["A_TRUCK_WRITTEN_S", "Writing"]
 
 PART, FIRST_PART = 0.05, 0.25
 """At most this share of the time goes into writing what is best so far, and in a crowd into the
@@ -32,17 +33,13 @@ class Writing:
     alone : int
         What all cost alone; a plan that costs no more is worth writing [grains].
     trucks : int
-        How many there are.
-    crowded : bool
-        Whether the first time waits until it is worth it.
+        How many there are; in a crowd the first time waits until it is worth it.
     wanted : bool
         Whether anything is written.
     """
 
-    def __init__(
-        self, course: Course, alone: int, trucks: int, crowded: bool, wanted: bool
-    ) -> None:
-        self._course, self._crowded, self._wanted = course, crowded, wanted
+    def __init__(self, course: Course, alone: int, trucks: int, wanted: bool) -> None:
+        self._course, self._crowded, self._wanted = course, trucks >= CROWD, wanted
         self._spent_s = 0.0
         self._cost = alone + 1
         part, each = (CLOSING_WRITTEN, A_TRUCK_WRITTEN_S) if wanted else (CLOSING, A_TRUCK_S)

@@ -19,6 +19,7 @@ from platoon_osm.errors import ScenarioError
 from platoon_osm.fleets.model import modelled
 from platoon_osm.fleets.run import FleetRun
 from platoon_osm.fleets.stopping import Course
+from platoon_osm.fleets.writing import A_TRUCK_WRITTEN_S
 from platoon_osm.inspection.certificate.belief import certify
 from platoon_osm.plans.convoys import convoys_of
 from platoon_osm.plans.plan import Plan
@@ -343,7 +344,7 @@ def test_time_for_telling_and_writing_the_plan_is_kept(net, tmp_path):
     for file in (None, tmp_path / "fleet.json"):
         course = Course(limits, lambda: False)
         FleetRun(model, limits, course, file, None)
-        assert 0 < course.closing_s <= max(1.1 * course.seconds, 12 * 1e-3)
+        assert 0 < course.closing_s <= max(1.1 * course.seconds, 12 * A_TRUCK_WRITTEN_S)
 
 
 def test_nothing_that_can_be_saved_is_told_so():
