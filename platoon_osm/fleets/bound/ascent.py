@@ -30,7 +30,7 @@ __all__ = ["Volume"]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-AGE, LEAST_WEIGHT = 0.4, 0.01
+AGE, LEAST_WEIGHT = 0.4, 0.001
 """By how much 1 / w grows a step, and the least w."""
 
 

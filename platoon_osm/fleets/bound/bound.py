@@ -44,14 +44,26 @@ ENOUGH = 0.03
 """A round ends if less than this part of what is missing was gained between two looks."""
 
 PART, LEAST_PART, AGAIN = 0.5, 0.05, 1.5
-"""The part of a step that the ascent begins with; with many pairs later rounds go on with so many
-times what the round before ended with, but neither with less nor with more."""
+"""The part of a step that the ascent begins with; rounds that go on with an average begin with so
+many times what the round before ended with, but neither with less nor with more."""
 
 MANY_PAIRS = 100_000
-"""From so many pairs on a round goes on with the average of the round before."""
+"""From so many pairs on rounds that list pairs, too, go on with the average of the round before."""
 
-BEYOND = 0.007
-"""The part of the savings by which steps aim beyond the best at least: a target too near jams."""
+FIRST_WEIGHT, WEIGHT = 0.1, 0.07
+"""The weight of the next schedules in the average in the first round, and in others that begin it
+anew."""
+
+EARLY_ROUNDS = 2
+"""Rounds in which shares still change much."""
+
+EARLY, LATER = (0.02, 8), (0.005, 20)
+"""The same in rounds that go on with an average, and failures in a row before steps shrink: in the
+first rounds, and later."""
+
+BEYOND_EARLY, BEYOND = 0.007, 0.02
+"""The part of the savings by which steps aim beyond the best at least, for a target too near jams:
+in the first rounds, when shares that rise too fast have to fall again, and later."""
 
 FARTHEST = 0.06
 """The part of the savings by which they aim beyond the best at most: while no plan is known nothing
@@ -120,7 +132,7 @@ class Bound:
         self._every = ways_of(instance, np.arange(instance.pairs))
         self._cuts = np.empty(0, np.int64)
         led, saved = instance.leader_saves.sum(), (instance.alone - instance.member).sum()
-        self._beyond = BEYOND + BEYOND_FOR_LEADERS * float(led) / max(float(saved), 1.0)
+        self._for_leaders = BEYOND_FOR_LEADERS * float(led) / max(float(saved), 1.0)
         self._round, self._stale = 0, 0
         self.settled = False
         self.cost = -np.inf
@@ -189,9 +201,12 @@ class Bound:
     ) -> None:
         """Begin a round with buckets that were made anew."""
         searching = Searching(self._instance, self._buckets, share)
-        part, weight, patience = (PART, 0.1, 3) if self._round == 0 else (PART, 0.07, 8)
+        part = PART
         if average is not None:
-            part, weight = min(max(AGAIN * part_before, LEAST_PART), PART), 0.02
+            part = min(max(AGAIN * part_before, LEAST_PART), PART)
+        weight, patience = EARLY if self._early else LATER
+        if average is None:
+            weight = FIRST_WEIGHT if self._round == 0 else WEIGHT
         self._volume = Volume(
             self._buckets, searching, self._instance.largest,
             part=part, weight=weight, patience=patience, before=average,
@@ -213,6 +228,17 @@ class Bound:
         alone = float(self._instance.alone_cost.sum())
         missing = max(near - self._volume.best, self._beyond * (alone - self._volume.best))
         return self._steps >= LEAST_STEPS and gained < ENOUGH * missing
+
+    @property
+    def _beyond(self) -> float:
+        """The part of the savings by which steps aim beyond the best at least."""
+        return self._for_leaders + (BEYOND_EARLY if self._early else BEYOND)
+
+    @property
+    def _early(self) -> bool:
+        """Whether shares still change much."""
+        listing = 0 if self._instance.given else LISTING_ROUNDS
+        return self._round < listing + EARLY_ROUNDS
 
     @property
     def _listing(self) -> bool:
@@ -237,8 +263,8 @@ class Bound:
         same = buckets.shares == self._buckets.shares
         self.settled = target - self.cost <= 1e-9 * abs(target) or (same and self._stale >= 3)
         unlisted = -self._instance.leader_saves[self._instance.pair_lane[listed]]
-        average = None
-        if self._instance.pairs >= MANY_PAIRS:
+        average, many = None, self._instance.pairs >= MANY_PAIRS
+        if many or self._round + 1 >= LISTING_ROUNDS or len(listed) == self._instance.pairs:
             # Where schedules led before is where they lead at first: the average goes on.
             none = np.zeros(len(unlisted), np.float64)
             average = inherited(self._buckets, self._volume.average, buckets, none)
