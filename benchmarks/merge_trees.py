@@ -13,7 +13,7 @@ import argparse
 import sys
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -28,7 +28,10 @@ SHARED = ROOT.parent / "shared" / "data" / "etis"
 SAVED = 0.10
 
 
-def instance_of(place: str, trucks: int, largest: int, window_min: float, seed: int) -> Instance:
+def instance_of(
+    place: str, trucks: int, largest: int, window_min: float, seed: int,
+    routes: Literal["free", "given"] = "free",
+) -> Instance:  # fmt: skip
     """Return a day of trips in whole numbers, on costs as of `benchmarks.fleets`."""
     import platoon_osm as po
     from platoon_osm.fleets.model import modelled
@@ -46,7 +49,7 @@ def instance_of(place: str, trucks: int, largest: int, window_min: float, seed: 
         solo=length, platoon=(1 - SAVED) * length, master=length, unit="m", params={}
     )
     problem = po.Problem(net, trips, costs, max_platoon=largest or None)
-    return modelled(problem, po.Limits(time_s=1.0)).instance
+    return modelled(problem, po.Limits(time_s=1.0, routes=routes)).instance
 
 
 def searched(bound: Bound, search: FleetSearch, seconds: float, heat: float) -> None:

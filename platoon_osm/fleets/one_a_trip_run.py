@@ -11,7 +11,7 @@ import math
 from .exact import Ways
 from .exact_told import ExactTold
 from .one_platoon import one_platoon
-from .run import STEPS, FleetRun
+from .run import FleetRun
 
 __all__ = ["OneATripRun"]
 
@@ -49,8 +49,12 @@ class OneATripRun(FleetRun):
         self.exact = ExactTold(ways, cost, cost if proved else 0)
         self._tell()
         stop = at.until(1.0)
-        while not (self._proved or self.bound.settled or stop() or at.share >= 1.0):
-            self.bound.improve(float(cost), STEPS, stop)
+        while not (self._proved or stop() or at.share >= 1.0):
+            if self.bound.settled:
+                if self._fine:
+                    break
+                self._fine = True
+            self._raise(stop)
             at.rounds += 1
             self._tell()
         return self._why_ended(1.0)

@@ -50,8 +50,9 @@ Ints = NDArray[np.int64]
 STEPS = 100
 """Steps of the bound in a round; it is evaluated over all pairs after each."""
 
-STALLED_ROUNDS, STALLED = 4, 0.01
-"""A bound that closed less than this part of the gap in so many rounds leaves time to the plan."""
+STALLED, STALLED_ROUNDS, FINE_STALLED_ROUNDS = 0.01, 4, 6
+"""A bound that closed less than this part of the gap in so many rounds goes on by fine steps, which
+rise after some rounds only; if these stall, too, it leaves its time to the plan."""
 
 MOVES, FEW_MOVES = 4000, 1000
 """Neighbourhoods of the plan in a round, and with as few trucks."""
@@ -89,6 +90,7 @@ class FleetRun:
         self.write_to, self.on_progress = write_to, on_progress
         names = [trip.vehicle for trip in model.question.problem.trips]
         self.bound = Bound(model.instance, threads=limits.cores, seed=limits.seed)
+        self._guiding, self._fine = (self.bound.shares, self.bound.guide), False
         self.apart = Apart(names, limits.apart)
         self.together = Together(model, limits.together, self.apart.pairs)
         self.search = self._searching()
@@ -137,7 +139,7 @@ class FleetRun:
         for number, (who, until) in enumerate(phases):
             stop = at.until(until)
             if who == "construct":
-                self.search.construct(self.bound.shares, self.bound.guide)
+                self.search.construct(*self._guiding)
                 self._tell()
                 continue
             if who == "exact":
@@ -148,13 +150,14 @@ class FleetRun:
                 if self._proved:
                     return "proved"
                 if who == "bound":
-                    self.bound.improve(float(self.cost), STEPS, stop)
+                    self._raise(stop)
                     rising.append(self.bound.cost)
-                    still = not (self.bound.settled or self._stalled(rising))
+                    if self.bound.settled or self._stalled(rising):
+                        still, self._fine, rising = not self._fine, True, [self.bound.cost]
                 else:
                     heat = heat_at(phases, number, begun, at.share, trucks)
                     moves = MOVES if trucks > FEW_MOVES else FEW_MOVES
-                    self.search.improve(self.bound.shares, self.bound.guide, moves, heat, stop)
+                    self.search.improve(*self._guiding, moves, heat, stop)
                     if self.together:
                         self.together.answered(self.search)
                 at.rounds += 1
@@ -163,11 +166,18 @@ class FleetRun:
                 break
         return self._why_ended(phases[-1][1])
 
+    def _raise(self, stop: Callable[[], bool]) -> None:
+        """Raise the bound by some steps; fine ones leave the shares that guide the search alone."""
+        self.bound.improve(float(self.cost), STEPS, stop, self._fine)
+        if not self._fine:
+            self._guiding = self.bound.shares, self.bound.guide
+
     def _stalled(self, rising: Sequence[float]) -> bool:
         """Tell whether the bound rose so little that the plan can use the time better."""
-        if len(rising) <= STALLED_ROUNDS:
+        rounds = FINE_STALLED_ROUNDS if self._fine else STALLED_ROUNDS
+        if len(rising) <= rounds:
             return False
-        rise = rising[-1] - rising[-1 - STALLED_ROUNDS]
+        rise = rising[-1] - rising[-1 - rounds]
         return rise <= STALLED * (self.cost - rising[-1])
 
     def _why_ended(self, until: float) -> str:

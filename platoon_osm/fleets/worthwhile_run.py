@@ -29,11 +29,9 @@ class WorthwhileRun(FleetRun):
             self.apart = self.apart.also(small)
             self.exact = None
             self.search = self._searching()
-            self.search.construct(self.bound.shares, self.bound.guide)
+            self.search.construct(*self._guiding)
             for heat in HEATS:
-                self.search.improve(
-                    self.bound.shares, self.bound.guide, FEW_MOVES, heat, _whole_round
-                )
+                self.search.improve(*self._guiding, FEW_MOVES, heat, _whole_round)
         raise ScenarioError(
             "fleet: some platoons save less than min_gain whoever is kept apart; give a smaller one"
         )

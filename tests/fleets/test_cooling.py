@@ -47,11 +47,30 @@ def test_a_small_fleet_is_hot_again():
         assert (found[0], found[-1]) == (pytest.approx(1), 0)
 
 
-def test_a_bound_that_stalls_leaves_time_to_the_plan():
-    run = SimpleNamespace(cost=1000.0)
+def test_a_bound_that_stalls_goes_on_by_fine_steps_and_then_leaves_time_to_the_plan():
+    run = SimpleNamespace(cost=1000.0, _fine=False)
     rising = [900.0, 905.0, 905.2, 905.4, 905.6, 905.8]
     assert not FleetRun._stalled(run, rising[:4])
     assert not FleetRun._stalled(run, rising[:5])
     assert FleetRun._stalled(run, rising)
     run.cost = 910.0
     assert not FleetRun._stalled(run, rising)
+    run.cost, run._fine = 1000.0, True
+    assert not FleetRun._stalled(run, rising)
+    assert FleetRun._stalled(run, [*rising, 905.82, 905.84])
+
+
+def test_fine_steps_leave_the_shares_that_guide_the_search_alone():
+    asked = []
+
+    def improve(target, steps, stop, fine):
+        asked.append(fine)
+        bound.shares, bound.guide = f"shares {len(asked)}", f"guide {len(asked)}"
+
+    bound = SimpleNamespace(improve=improve)
+    run = SimpleNamespace(bound=bound, cost=1000, _fine=False, _guiding=None)
+    for fine, guiding in ((False, 1), (False, 2), (True, 2), (True, 2)):
+        run._fine = fine
+        FleetRun._raise(run, lambda: False)
+        assert run._guiding == (f"shares {guiding}", f"guide {guiding}")
+    assert asked == [False, False, True, True]

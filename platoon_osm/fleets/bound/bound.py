@@ -50,16 +50,21 @@ many times what the round before ended with, but neither with less nor with more
 MANY_PAIRS = 100_000
 """From so many pairs on rounds that list pairs, too, go on with the average of the round before."""
 
-FIRST_WEIGHT, WEIGHT = 0.1, 0.07
-"""The weight of the next schedules in the average in the first round, and in others that begin it
-anew."""
+FIRST_WEIGHT, WEIGHT, KEPT_WEIGHT = 0.1, 0.07, 0.02
+"""What the next schedules weigh in the average: in the first round, in others that begin it anew,
+and in those that go on with it."""
+
+PATIENCE = 8
+"""Failures in a row before steps shrink."""
+
+FINE_WEIGHT, FINE_PATIENCE = 0.002, 20
+"""The same of an ascent that goes on where that one jams: see `Bound.improve`."""
+
+LOOSENED = 0.002
+"""It begins with so much of each price shared evenly, for from a corner steps lead nowhere."""
 
 EARLY_ROUNDS = 2
-"""Rounds in which shares still change much."""
-
-EARLY, LATER = (0.02, 8), (0.005, 20)
-"""The same in rounds that go on with an average, and failures in a row before steps shrink: in the
-first rounds, and later."""
+"""Rounds in which shares still change much, those that list pairs not counted."""
 
 BEYOND_EARLY, BEYOND = 0.007, 0.02
 """The part of the savings by which steps aim beyond the best at least, for a target too near jams:
@@ -133,7 +138,7 @@ class Bound:
         self._cuts = np.empty(0, np.int64)
         led, saved = instance.leader_saves.sum(), (instance.alone - instance.member).sum()
         self._for_leaders = BEYOND_FOR_LEADERS * float(led) / max(float(saved), 1.0)
-        self._round, self._stale = 0, 0
+        self._round, self._stale, self._fine = 0, 0, False
         self.settled = False
         self.cost = -np.inf
         self._listed = _first_pairs(instance)
@@ -143,7 +148,9 @@ class Bound:
             self._evaluate(share, crew)
             self._start(share, crew)
 
-    def improve(self, target: float, steps: int, stop: Callable[[], bool]) -> None:
+    def improve(
+        self, target: float, steps: int, stop: Callable[[], bool], fine: bool = False
+    ) -> None:
         """Raise the bound.
 
         Parameters
@@ -154,10 +161,18 @@ class Bound:
             About how many steps to take.
         stop : callable
             Is asked before each step whether to end.
+        fine : bool
+            Whether to go on from now on where the usual ascent jams. The bound ends higher then,
+            but its shares guide the search for a plan less well (docs/fleets-bound.md).
         """
         alone = float(self._instance.alone_cost.sum())
         target = min(target, alone)
         with Crew(self._threads) as crew:
+            if fine and not self._fine:
+                self._next(crew, target)
+                self._fine, self.settled, self._stale = True, False, 0
+                share = _loosened(self._buckets, self._volume.shares, self._instance.largest)
+                self._start(share, crew, self._volume.average, self._volume.part)
             fresh = False
             for _ in range(steps):
                 if self.settled or stop():
@@ -204,12 +219,13 @@ class Bound:
         part = PART
         if average is not None:
             part = min(max(AGAIN * part_before, LEAST_PART), PART)
-        weight, patience = EARLY if self._early else LATER
+        weight = FINE_WEIGHT if self._fine else KEPT_WEIGHT
         if average is None:
             weight = FIRST_WEIGHT if self._round == 0 else WEIGHT
         self._volume = Volume(
             self._buckets, searching, self._instance.largest,
-            part=part, weight=weight, patience=patience, before=average,
+            part=part, weight=weight, before=average,
+            patience=FINE_PATIENCE if self._fine else PATIENCE,
         )  # fmt: skip
         self._volume.begin(crew)
         self._steps, self._looked = 0, self._volume.best
@@ -315,6 +331,19 @@ def _first_pairs(instance: Instance) -> Ints:
     lone = np.empty(instance.pairs, np.bool_)
     lone[order] = ~meets
     return np.flatnonzero(instance.on_alone | lone)
+
+
+def _loosened(buckets: Buckets, share: Floats, largest: int) -> Floats:
+    """Return valid shares a little nearer to even ones."""
+    members = np.diff(buckets.first_member)
+    even = np.empty(buckets.shares)
+    even[buckets.entry] = np.repeat(buckets.extra / np.maximum(members, 1), members)
+    loosened = (1.0 - LOOSENED) * share + LOOSENED * even
+    # Where leaders save, mixtures of valid shares need not be valid.
+    projected(
+        loosened, buckets.first_member, buckets.entry, buckets.extra, buckets.leader, largest
+    )  # fmt: skip
+    return loosened
 
 
 def _shares(buckets: Buckets, share: Floats | Ints) -> Shares:

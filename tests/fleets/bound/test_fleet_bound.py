@@ -55,8 +55,8 @@ def test_shares_are_valid_at_every_step_and_the_bound_never_falls(many, monkeypa
         fleet = fleet_of(seed)
         bound, before = Bound(fleet), -np.inf
         best = optimum(fleet).cost
-        for _ in range(12):
-            bound.improve(best, 14, never)
+        for turn in range(12):
+            bound.improve(best, 14, never, fine=turn >= 6)
             assert valid_by_trying(fleet, bound.certified()[0]), seed
             assert before <= bound.cost <= best
             before = bound.cost
