@@ -339,7 +339,7 @@ def _loosened(buckets: Buckets, share: Floats, largest: int) -> Floats:
     even = np.empty(buckets.shares)
     even[buckets.entry] = np.repeat(buckets.extra / np.maximum(members, 1), members)
     loosened = (1.0 - LOOSENED) * share + LOOSENED * even
-    # Where leaders save, mixtures of valid shares need not be valid.
+    # Even shares leave some of a price unused where leaders save or platoons are limited.
     projected(
         loosened, buckets.first_member, buckets.entry, buckets.extra, buckets.leader, largest
     )  # fmt: skip

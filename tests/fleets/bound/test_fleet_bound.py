@@ -62,6 +62,27 @@ def test_shares_are_valid_at_every_step_and_the_bound_never_falls(many, monkeypa
             before = bound.cost
 
 
+def test_shares_that_are_loosened_are_valid_and_leave_no_price_unused():
+    alone = 0
+    for seed in range(40):
+        fleet = fleet_of(seed)
+        bound = Bound(fleet)
+        bound.improve(float(fleet.alone_cost.sum()), 50, never)
+        own = bound._buckets
+        share = bounds._loosened(own, bound._volume.shares, fleet.largest)
+        whole_ones = bounds._shares(own, np.floor(share + 1e-6).astype(np.int64))
+        assert valid_by_trying(fleet, whole_ones), seed
+        for b in range(len(own.keys)):
+            some = share[own.entry[own.first_member[b] : own.first_member[b + 1]]]
+            price, leader = own.extra[b], own.leader[b]
+            if len(some) == 1:
+                alone += 1
+                assert some[0] == pytest.approx(price + leader), seed
+            elif len(some) and leader == 0 and not 0 < fleet.largest < len(some):
+                assert some.sum() == pytest.approx(price), seed
+    assert alone > 100
+
+
 def test_threads_change_nothing():
     fleet = random_instance(5, trucks=5, nodes=6, given=False)
     found = []
