@@ -19,11 +19,8 @@ if TYPE_CHECKING:
     from platoon_osm.fleets.bound.bound import Bound
     from platoon_osm.fleets.instance import Instance
 
-MOVES = 4000
-"""Of a round."""
-
-COLD = 0.15
-"""The last part of the rounds accepts no plan that costs more."""
+ALL_AT_ONCE = (("plan", 1.0),)
+"""The course of a search without a bound."""
 
 
 def never() -> bool:
@@ -33,12 +30,14 @@ def never() -> bool:
 
 def planned(instance: Instance, bound: Bound, rounds: int, seed: int) -> int:
     """Return what a plan costs that is searched with the shares of a bound."""
+    from platoon_osm.fleets.cooling import heat_at
     from platoon_osm.fleets.plan.search import FleetSearch
+    from platoon_osm.fleets.run import MOVES
 
     search = FleetSearch(instance, threads=2, seed=seed)
     search.construct(bound.shares, bound.guide)
     for number in range(rounds):
-        heat = max(0.0, (1 - number / rounds - COLD) / (1 - COLD))
+        heat = heat_at(ALL_AT_ONCE, 0, 0.0, number / rounds, instance.trucks)
         search.improve(bound.shares, bound.guide, MOVES, heat, never)
     return search.cost
 

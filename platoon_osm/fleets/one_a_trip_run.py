@@ -50,10 +50,8 @@ class OneATripRun(FleetRun):
         self._tell()
         stop = at.until(1.0)
         while not (self._proved or stop() or at.share >= 1.0):
-            if self.bound.settled:
-                if self._fine:
-                    break
-                self._fine = True
+            if self.bound.settled and not self._refined():
+                break
             self._raise(stop)
             at.rounds += 1
             self._tell()

@@ -43,7 +43,7 @@ from .trees.starting import tree_start
 from .writing import Writing
 from .written import plan_of
 
-__all__ = ["FEW_MOVES", "STEPS", "FleetRun"]
+__all__ = ["FEW_MOVES", "FleetRun"]
 
 Ints = NDArray[np.int64]
 
@@ -153,7 +153,7 @@ class FleetRun:
                     self._raise(stop)
                     rising.append(self.bound.cost)
                     if self.bound.settled or self._stalled(rising):
-                        still, self._fine, rising = not self._fine, True, [self.bound.cost]
+                        still, rising = self._refined(), [self.bound.cost]
                 else:
                     heat = heat_at(phases, number, begun, at.share, trucks)
                     moves = MOVES if trucks > FEW_MOVES else FEW_MOVES
@@ -171,6 +171,11 @@ class FleetRun:
         self.bound.improve(float(self.cost), STEPS, stop, self._fine)
         if not self._fine:
             self._guiding = self.bound.shares, self.bound.guide
+
+    def _refined(self) -> bool:
+        """Go on by fine steps; tell whether that is new."""
+        before, self._fine = self._fine, True
+        return not before
 
     def _stalled(self, rising: Sequence[float]) -> bool:
         """Tell whether the bound rose so little that the plan can use the time better."""

@@ -216,12 +216,11 @@ class Bound:
     ) -> None:
         """Begin a round with buckets that were made anew."""
         searching = Searching(self._instance, self._buckets, share)
-        part = PART
-        if average is not None:
-            part = min(max(AGAIN * part_before, LEAST_PART), PART)
-        weight = FINE_WEIGHT if self._fine else KEPT_WEIGHT
         if average is None:
-            weight = FIRST_WEIGHT if self._round == 0 else WEIGHT
+            part, weight = PART, FIRST_WEIGHT if self._round == 0 else WEIGHT
+        else:
+            part = min(max(AGAIN * part_before, LEAST_PART), PART)
+            weight = FINE_WEIGHT if self._fine else KEPT_WEIGHT
         self._volume = Volume(
             self._buckets, searching, self._instance.largest,
             part=part, weight=weight, before=average,
