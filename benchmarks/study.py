@@ -28,7 +28,7 @@ STUDY = Study(mixings=("printed",), points=())
 ROUNDS = 3
 
 
-def networkx_loop(draw: Draw, graph: Any, repeat_searches: bool) -> np.ndarray:  # type: ignore[type-arg]
+def networkx_loop(draw: Draw, graph: Any, repeat_searches: bool) -> np.ndarray:  # type: ignore[type-arg]  # numbers of one kind
     """Plan case C point by point and member by member, as one would write it down.
 
     Parameters

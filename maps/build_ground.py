@@ -131,7 +131,7 @@ def from_package(path: Path) -> tuple[GroundTable, int]:
     """Return the table of the npm package world-atlas, as `npm pack` names it."""
     with tarfile.open(path) as package:
         read = {
-            name: json.loads(package.extractfile(f"package/{name}").read())  # type: ignore[union-attr]
+            name: json.loads(package.extractfile(f"package/{name}").read())  # type: ignore[union-attr]  # these are files
             for name in ("package.json", COUNTRIES)
         }
     return made(

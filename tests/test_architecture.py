@@ -244,7 +244,7 @@ def test_every_name_at_the_front_door_exists():
         assert getattr(platoon_osm, name) is not None
     assert set(platoon_osm.__all__) == {*platoon_osm._WHERE, "__version__"}
     with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
-        platoon_osm.nonsense  # noqa: B018
+        platoon_osm.nonsense  # noqa: B018 (asking is the test)
 
 
 def undocumented(source):

@@ -154,7 +154,7 @@ class Solver:
             ) from error
         if isinstance(found, str):
             raise PlatoonError(f"fleet: the exact solver failed ({found}); plan without it")
-        return found  # type: ignore[no-any-return]
+        return found  # type: ignore[no-any-return]  # what our own process sends
 
     def _begin(self) -> None:
         context = multiprocessing.get_context("spawn")

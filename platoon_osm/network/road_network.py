@@ -84,7 +84,7 @@ class RoadNetwork(NetworkArrays):
 
     def _repr_html_(self) -> str:
         """Return what a notebook shows of the network."""
-        return offered("network_table")(self)  # type: ignore[no-any-return]
+        return offered("network_table")(self)  # type: ignore[no-any-return]  # offered by name
 
     def report(self) -> LoadReport:
         """Return what the loader kept, dropped, capped and defaulted."""
@@ -243,7 +243,7 @@ class RoadNetwork(NetworkArrays):
         str
             A name.
         """
-        return offered("place_name")(self, node)  # type: ignore[no-any-return]
+        return offered("place_name")(self, node)  # type: ignore[no-any-return]  # offered by name
 
     # -- what follows from it ------------------------------------------------------------------
 
@@ -440,7 +440,7 @@ class RoadNetwork(NetworkArrays):
 
     def to_networkx(self) -> networkx.MultiDiGraph[int]:
         """Return an OSMnx-style graph; see `platoon_osm.sources.graphs.exchange.to_networkx`."""
-        return offered("to_networkx")(self)  # type: ignore[no-any-return]
+        return offered("to_networkx")(self)  # type: ignore[no-any-return]  # offered by name
 
     @classmethod
     def from_networkx(cls, graph: Any) -> RoadNetwork:
@@ -456,11 +456,11 @@ class RoadNetwork(NetworkArrays):
         RoadNetwork
             The network.
         """
-        return offered("from_networkx")(graph)  # type: ignore[no-any-return]
+        return offered("from_networkx")(graph)  # type: ignore[no-any-return]  # offered by name
 
     def to_geodataframes(self) -> tuple[geopandas.GeoDataFrame, geopandas.GeoDataFrame]:
         """Return nodes and edges as GeoDataFrames in EPSG:4326."""
-        return offered("to_geodataframes")(self)  # type: ignore[no-any-return]
+        return offered("to_geodataframes")(self)  # type: ignore[no-any-return]  # offered by name
 
 
 def checked_network(net: Any) -> RoadNetwork:

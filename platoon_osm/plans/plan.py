@@ -224,7 +224,7 @@ class Plan:
         str
             One row a vehicle, then totals, points and what is proved.
         """
-        return offered("summary")(self)  # type: ignore[no-any-return]
+        return offered("summary")(self)  # type: ignore[no-any-return]  # offered by name
 
     def to_frame(self, what: str = "vehicles") -> pandas.DataFrame:
         """Return the plan as a tidy table; see `platoon_osm.plans.frames.to_frame`.
@@ -239,7 +239,7 @@ class Plan:
         pandas.DataFrame
             Units stand in the names of its columns.
         """
-        return offered("to_frame")(self, what)  # type: ignore[no-any-return]
+        return offered("to_frame")(self, what)  # type: ignore[no-any-return]  # offered by name
 
     def to_geodataframe(self, net: RoadNetwork, what: str = "legs") -> geopandas.GeoDataFrame:
         """Return legs as lines, or pauses as points; as `platoon_osm.to_geodataframe`.
@@ -288,11 +288,11 @@ class Plan:
         folium.Map
             Its page is that of `write_html`.
         """
-        return offered("explore")(self, net, **options)  # type: ignore[no-any-return]
+        return offered("explore")(self, net, **options)  # type: ignore[no-any-return]  # offered by name
 
     def _repr_html_(self) -> str:
         """Return the table that a notebook shows of the plan."""
-        return offered("plan_table")(self)  # type: ignore[no-any-return]
+        return offered("plan_table")(self)  # type: ignore[no-any-return]  # offered by name
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain JSON types; `from_dict` gives the plan back.

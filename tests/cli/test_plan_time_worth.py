@@ -24,7 +24,7 @@ def test_it_is_known_of_a_plan_by_the_clock() -> None:
     asked = asked_of("po-valley-c", "none")
     plan = asked.plan(italy())
     found = time_worth(asked, italy(), plan)
-    assert found["frontier"].saving_share[-1] > 0.1  # type: ignore[union-attr]
+    assert found["frontier"].saving_share[-1] > 0.1  # type: ignore[union-attr]  # the frontier has that name
     assert plan.timetable is not None
     assert time_worth(asked, italy(), replace(plan, timetable=None)) == {}
 

@@ -41,7 +41,7 @@ class Prices:
     delay_min: float = 0.0
     name = "prices"
     unit = "EUR"
-    params = {}  # noqa: RUF012
+    params = {}  # noqa: RUF012 (nobody changes it)
 
     def weights(self, net, vehicle=None):
         del vehicle

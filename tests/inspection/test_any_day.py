@@ -160,8 +160,8 @@ def test_every_written_day_is_alike_in_any_week(check: object) -> None:
         later = tuple(
             replace(one, start_s=one.start_s + WEEK, end_s=one.end_s + WEEK) for one in row.record
         )
-        found = check(row.record, row.state, **row.options)  # type: ignore[operator]
-        moved = check(later, row.state, **row.options)  # type: ignore[operator]
+        found = check(row.record, row.state, **row.options)  # type: ignore[operator]  # either of two checkers
+        moved = check(later, row.state, **row.options)  # type: ignore[operator]  # likewise
         assert [replace(one, at_s=one.at_s - WEEK) for one in moved] == found
 
 

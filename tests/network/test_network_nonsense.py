@@ -46,7 +46,7 @@ def may_refuse(call, *arguments, **options):
     try:
         call(*arguments, **options)
     except PlatoonError as error:
-        assert "\n" not in str(error)  # noqa: PT017
+        assert "\n" not in str(error)  # noqa: PT017 (the error is one of several kinds)
 
 
 def some(*without):

@@ -21,10 +21,10 @@ class Priced:
     """The paper's costs with a price of waiting."""
 
     wait: float
-    costs: po.PaperCosts = po.PaperCosts()  # noqa: RUF009
+    costs: po.PaperCosts = po.PaperCosts()  # noqa: RUF009 (it is frozen)
     name = "paper with waiting"
     unit = "m"
-    params = {}  # noqa: RUF012
+    params = {}  # noqa: RUF012 (nobody changes it)
 
     def terms(self):
         return self.costs.terms()

@@ -276,7 +276,7 @@ def test_unlike_vehicles_pay_by_their_own_weights():
         """A follower saves a tenth, and a heavy one a fifth."""
 
         unit = "m"
-        params = {"name": "by mass"}  # noqa: RUF012
+        params = {"name": "by mass"}  # noqa: RUF012 (nobody changes it)
 
         def weights(self, net, vehicle=None):
             own = 0.8 if vehicle is None else 0.9

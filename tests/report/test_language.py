@@ -164,7 +164,7 @@ def test_days_and_zones() -> None:
 @pytest.mark.parametrize("code", ["", "xx", "deutsch", "de-XX-YY-ZZ", "../en", "en\0", 7, None])
 def test_a_language_that_is_not_there_is_told_in_one_line(code: object) -> None:
     with pytest.raises(ScenarioError, match="language") as told:
-        language_of(code)  # type: ignore[arg-type]
+        language_of(code)  # type: ignore[arg-type]  # what nobody may give
     assert "\n" not in str(told.value)
 
 

@@ -73,8 +73,8 @@ def companies_of(
         come = {before.get((index, number)) for index in stretches[number].vehicles}
         last = come.pop()
         same = not come and last is not None
-        if same and stretches[last].company == stretches[number].company:  # type: ignore[index]
-            run_of[number] = run_of[last]  # type: ignore[index]
+        if same and stretches[last].company == stretches[number].company:  # type: ignore[index]  # `same` says that there is one
+            run_of[number] = run_of[last]  # type: ignore[index]  # likewise
             runs[run_of[number]].append(number)
         else:
             run_of[number] = number

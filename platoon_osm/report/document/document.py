@@ -92,7 +92,7 @@ def report_document(
     document = document_of(
         plan, net, title=title, weights=weights, styles=styles, language=language, clock=clock
     )
-    return as_json(document)  # type: ignore[no-any-return]
+    return as_json(document)  # type: ignore[no-any-return]  # a record becomes a dict
 
 
 def document_of(

@@ -97,7 +97,7 @@ def comparison_document(
         No plans, a plan of another network, titles of another number, or no such baseline.
     """
     with speaking(language, clock):
-        return as_json(  # type: ignore[no-any-return]
+        return as_json(  # type: ignore[no-any-return]  # a record becomes a dict
             comparison_of(plans, net, titles=titles, title=title, baseline=baseline)
         )
 

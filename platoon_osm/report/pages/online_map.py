@@ -74,7 +74,7 @@ def online_map(tiles: str) -> Tiles:
 def _by_name(tiles: str) -> tuple[str, str, int]:
     """Return address, credit and greatest zoom of a map that folium knows by name."""
     # folium brings it along; it has no type hints.
-    import xyzservices.providers as online_maps  # type: ignore[import-untyped]
+    import xyzservices.providers as online_maps  # type: ignore[import-untyped]  # it has no types
 
     try:
         # The plain name stands for the standard style, as in folium.

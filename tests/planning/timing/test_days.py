@@ -150,7 +150,7 @@ def test_the_timetable_of_pauses_is_the_least(net):
         ]
         by = {"latest_departure": datetime.fromtimestamp(SIX.timestamp() + window)}
         table = timetable(net, days, **by)
-        meets = lambda a: a + 10e3 / speed  # noqa: E731
+        meets = lambda a: a + 10e3 / speed  # noqa: E731 (short beside its use)
         best = min(
             (max(meets(a), b + 5e3 / speed + mine) - a - 10e3 / speed)
             + (max(meets(a), b + 5e3 / speed + mine) - b - 5e3 / speed)

@@ -113,7 +113,7 @@ def networks(draw):
     m = len(ends)
     degree = st.floats(-80, 80)
     text = st.text(max_size=4)
-    some = lambda values, size: draw(st.lists(values, min_size=size, max_size=size))  # noqa: E731
+    some = lambda values, size: draw(st.lists(values, min_size=size, max_size=size))  # noqa: E731 (short beside its use)
     lon, lat = some(degree, n), some(degree, n)
     first, shape = [0], []
     for u, v in ends:

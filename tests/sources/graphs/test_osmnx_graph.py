@@ -47,7 +47,7 @@ def simplified(tmp_path):
 
 def assert_small_network(net):
     """Check what every way of reading the small map without simplification must give."""
-    kmh = lambda u, v: net.speed_mps[edge_between(net, u, v)] * 3.6  # noqa: E731
+    kmh = lambda u, v: net.speed_mps[edge_between(net, u, v)] * 3.6  # noqa: E731 (short beside its use)
     assert set(net.node_id.tolist()) == {1, 3, 5, 6, 7, 8, 9}
     assert net.m == 7
     assert kmh(1, 3) == pytest.approx(80)
